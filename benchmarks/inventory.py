@@ -97,7 +97,7 @@ def load() -> float:
 
 def bare(scenario: Path, table: Path, threads: int) -> tuple[int, float, float]:
     """Runs, seconds and CPU seconds of the kernel alone: rows and motions ready, blocks over threads."""
-    from stayput.inventory.header import header_of
+    from stayput.inventory.header import Header
     from stayput.inventory.items import RowReader
     from stayput.inventory.scenarios import read_scenarios
     from stayput.inventory.store import piece_of
@@ -115,9 +115,9 @@ def bare(scenario: Path, table: Path, threads: int) -> tuple[int, float, float]:
     drawn = draws(settings.motions, settings.samples, settings.seed)
     rows = []
     with open_table(table) as read:
-        header = header_of(read.header)
+        header = Header(read.header)
         for number, cells in read.rows:
-            (exposure,) = reader.item(number, header.cells(cells)).exposures
+            (exposure,) = reader.exposures(number, header.cells(cells))
             body, room, _ = piece_of(exposure.piece)
             rows.append(rows_of(body, room, (), drawn, settings.gravity))
     cases = np.stack([row.cases.reshape(settings.motions, -1) for row in rows])
@@ -231,7 +231,7 @@ def kinds(folder: Path) -> list[dict[str, Any]]:
         times: list[float] = []
         for _ in range(3):
             began = time.process_time()
-            _, runs, _ = evaluate(unit, spec, floor, settings, outcome)
+            _, runs = evaluate(unit, spec, floor, settings, outcome)
             times.append(1e3 * (time.process_time() - began) / runs)
         found.append({"measure": kind or "none", "CPU ms a run": min(times), "load": load()})
     return found

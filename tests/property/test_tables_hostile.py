@@ -9,6 +9,7 @@ import io
 import sys
 import tempfile
 import zipfile
+from contextlib import closing
 from pathlib import Path
 
 import openpyxl
@@ -20,8 +21,9 @@ from hypothesis import strategies as st
 
 import stayput as sp
 from stayput.inventory.folder import Workspace
-from stayput.inventory.plan import make_plan
+from stayput.inventory.plan import REJECTED, make_plan
 from stayput.inventory.scenarios import read_scenarios
+from stayput.inventory.store import Store
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "unit"))
 from inventories import city
@@ -98,7 +100,7 @@ def cities():
 def check(cities, suffix: str, content: bytes) -> None:
     """Every row is a piece, a reject or empty; or one sentence refuses the table, and leaves nothing."""
     with tempfile.TemporaryDirectory() as folder:
-        file, plan = Path(folder) / f"inventory{suffix}", Path(folder) / "plan"
+        file, plan = Path(folder) / f"inventory{suffix}", Path(folder) / "plan.sqlite"
         file.write_bytes(content)
         refused, facts = None, {}
         try:
@@ -112,8 +114,9 @@ def check(cities, suffix: str, content: bytes) -> None:
             assert len(refused) < 3000
             assert not plan.exists()
             return
-        rejects = pq.read_table(plan / "rejects.parquet").to_pylist()
-        good = [row for part in (plan / "rows").iterdir() for row in pq.read_table(part)["row"].to_pylist()]
+        with closing(Store(plan)) as store:
+            rejects = [dict(zip(REJECTED, line, strict=True)) for line in store.rejects()]
+            good = [row["row"] for part in range(facts["parts"]) for row in store.part(part)]
     assert facts["rows"] == len(set(good)) + len(rejects) + facts["empty rows"]
     assert not {row["row"] for row in rejects} & set(good)
     for row in rejects:

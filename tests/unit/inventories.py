@@ -6,8 +6,6 @@ import hashlib
 from contextlib import closing
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-import pyarrow.parquet as pq
-
 import stayput as sp
 
 if TYPE_CHECKING:
@@ -88,7 +86,7 @@ def planned(folder: Path, file: Path, scenario: str = CITY, columns: Any = None)
     """The plan of a table, made in a folder."""
     from stayput.inventory.columns import read_columns
     from stayput.inventory.folder import Workspace
-    from stayput.inventory.plan import make_plan
+    from stayput.inventory.plan import REJECTED, make_plan
     from stayput.inventory.scenarios import read_scenarios
     from stayput.inventory.store import Store, ground_of, piece_of
 
@@ -98,11 +96,10 @@ def planned(folder: Path, file: Path, scenario: str = CITY, columns: Any = None)
     facts = make_plan(
         Workspace(space), file, scenarios, 2**24, lambda count: None, columns=read_columns(columns)
     )
-    parts = sorted((space / "plan" / "rows").iterdir())
-    rows = [row for part in parts for row in pq.read_table(part).to_pylist()]
-    rejects = pq.read_table(space / "plan" / "rejects.parquet").to_pylist()
     specs, moved = {}, {}
-    with closing(Store(space / "plan" / "plan.sqlite")) as store:
+    with closing(Store(space / "plan.sqlite")) as store:
+        rows = [row for part in range(facts["parts"]) for row in store.part(part)]
+        rejects = [dict(zip(REJECTED, line, strict=True)) for line in store.rejects()]
         for spec, sites in store.grounds():
             for site, storey in sites:
                 for unit, _, piece in store.units_at(site):

@@ -13,7 +13,7 @@ import pytest
 from commands import SLENDER, cli
 
 import stayput as sp
-from stayput.cli import streams
+from stayput.cli import flags, streams
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -168,7 +168,7 @@ def test_letters_that_the_terminal_lacks_are_written_out(here: Path) -> None:
 def test_an_input_without_an_end_is_refused(
     monkeypatch: pytest.MonkeyPatch, language: str, said: str
 ) -> None:
-    monkeypatch.setattr(streams, "LARGEST_RECORD", 9)
+    monkeypatch.setattr(flags, "LARGEST_RECORD", 9)
     monkeypatch.setattr(streams, "_CHUNK", 4)
     result = cli("simulate", "--motion", "-", "--lang", language, given="0 " * 1000)
     assert result.exit_code == 2

@@ -17,10 +17,9 @@ from inventories import CITY, HEADER, city, digests, pieces, rows_of_results, ta
 import stayput as sp
 from stayput.inventory import assess
 from stayput.inventory.assess import memory_of
-from stayput.inventory.report import storey_map
+from stayput.inventory.report import expected, printed, storey_map
 from stayput.inventory.scenarios import read_scenario_file, read_scenarios
 from stayput.inventory.summary import Total
-from stayput.inventory.words import expected, printed
 from stayput.measures import MEASURES, element_rows, hold
 from stayput.model.flat_fields import case_columns
 from stayput.model.state import State

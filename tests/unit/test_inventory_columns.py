@@ -10,9 +10,9 @@ from inventories import CITY, planned
 
 import stayput as sp
 from stayput.inventory.columns import COLUMNS, plain_name, read_columns
-from stayput.inventory.header import header_of
+from stayput.inventory.header import Header
 from stayput.inventory.plan import ROWS_LOOKED_AT
-from stayput.inventory.words import narrow_told
+from stayput.inventory.report import narrow_told
 from stayput.model.body import FURNITURE
 from stayput.model.room import SURFACES
 from stayput.vocabulary import WORDS
@@ -132,18 +132,18 @@ def test_what_may_count_is_never_dropped(tmp_path, header):
     with pytest.raises(sp.InputError) as refused:
         read(tmp_path, f"品名,{header}\n本棚,3\n")
     assert f'--columns "count={header}"' in str(refused.value)
-    given = header_of(["品名", header], (), read_columns(f"count={header}"))
+    given = Header(["品名", header], (), read_columns(f"count={header}"))
     assert given.places["count"] == 1
 
 
 @pytest.mark.parametrize("header", ["数　量", "数 量", " 台　数 ", "個　 数", "Q'ty", "Q’ty"])
 def test_a_name_with_blanks_between_its_letters_is_that_name(header):
-    assert header_of(["品　名", header]).places == {"name": 0, "count": 1}
+    assert Header(["品　名", header]).places == {"name": 0, "count": 1}
 
 
 @pytest.mark.parametrize("header", ["耐用年数", "階数", "段数", "Stock location", "利用人数"])
 def test_what_counts_something_else_is_not_used(header):
-    assert header_of(["品名", header]).unused == (header,)
+    assert Header(["品名", header]).unused == [header]
 
 
 GIVEN = [name for name, (_, proposal) in UNCLEAR.items() if "?" not in proposal and "by storey" not in name]
@@ -224,7 +224,7 @@ def test_a_cell_without_a_unit_among_those_that_have_one_is_refused(tmp_path):
     )
     sample = [["棚", "45cm", "1.8m", "80kg"], ["机", "45", "1.8m", "80kg"]]
     with pytest.raises(sp.InputError, match=re.escape('"width=奥行[?]"')):
-        header_of(["品名", "奥行", "高さ", "重量"], sample)
+        Header(["品名", "奥行", "高さ", "重量"], sample)
 
 
 def test_pieces_narrower_than_deep_are_counted(tmp_path):
@@ -322,5 +322,5 @@ def test_words_stand_for_presets_that_there_are():
     assert set(WORDS["preset"].values()) == set(FURNITURE)
     assert set(WORDS["floor"].values()) == set(SURFACES)
     assert WORDS["preset"]["本棚"] == "bookcase"
-    header = header_of(["id", "preset", "床材"])
+    header = Header(["id", "preset", "床材"])
     assert header.cells(["a", "食器棚", "カーペット"]) == {"id": "a", "preset": "cupboard", "floor": "carpet"}

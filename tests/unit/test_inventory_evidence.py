@@ -11,11 +11,10 @@ from inventories import CITY, city, rows_of_results, table
 
 from stayput.fragility import difference
 from stayput.inventory import assess
-from stayput.inventory.report import UNTOLD
+from stayput.inventory.report import UNTOLD, findings_told, printed
 from stayput.inventory.results import Finding, choose, finding_of, least_motions, numbers_of
 from stayput.inventory.store import record_type
 from stayput.inventory.summary import READ, Total
-from stayput.inventory.words import findings_told, printed
 from stayput.inventory.work import fill_record
 from stayput.montecarlo.counting import EVENTS, Outcomes
 

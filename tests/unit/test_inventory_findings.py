@@ -10,7 +10,7 @@ from commands import cli
 from inventories import CITY, city, rows_of_results, table
 
 from stayput.inventory import assess
-from stayput.inventory.words import measures_named
+from stayput.inventory.report import measures_named
 
 HEADER = "管理番号,品名,奥行(mm),高さ(mm),重量(kg),数量"
 MEASURED = CITY.split("[[measures]]")[0].replace("ceiling = { height = 2.4 }\n", "") + (

@@ -10,7 +10,7 @@ from inventories import city
 import stayput as sp
 from stayput.inventory import assess
 from stayput.inventory.columns import COLUMNS
-from stayput.inventory.header import header_of
+from stayput.inventory.header import Header
 from stayput.inventory.tables import open_table
 
 GERMAN = (
@@ -58,9 +58,9 @@ def test_headings_that_are_not_known_are_proposed_with_a_mark_for_each(tmp_path)
 def test_columns_that_are_not_known_are_asked_for_where_nothing_tells_the_pieces(known):
     names, rows = [known, "Bredde", "Djup", "Höjd"], [["7", "900", "300", "1800"]]
     with pytest.raises(sp.InputError) as refused:
-        header_of(names, rows)
+        Header(names, rows)
     assert proposal_of(refused.value) == "?=Bredde,?=Djup,?=Höjd"
-    header_of(["name", *names[1:]], [["bookcase", *rows[0][1:]]])  # some may be of a preset's size
+    Header(["name", *names[1:]], [["bookcase", *rows[0][1:]]])  # some may be of a preset's size
 
 
 ELSEWHERE = {

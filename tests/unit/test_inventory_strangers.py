@@ -41,8 +41,8 @@ def everything(folder):
 STRANGERS = [
     "thesis.txt",
     ".photos-abcdefgh/summer.jpg",
-    "work/plan/plan.sqlite",
-    "work/drafts/0123456789abcdef-0/rows/part-000000.parquet",
+    "work/plan.sqlite",
+    "work/drafts/0123456789abcdef-0/part-000000.parquet",
     "pieces/part-000000.parquet",
     "report.html",
     "manifest.json",
@@ -83,9 +83,15 @@ def test_files_beside_the_results_stay(done, name):
 
 
 IN_THE_WAY = {
-    "file": ["pieces/mine.parquet", "work/plan/notes.txt", "work/drafts/draft-7/rows/mine.txt"],
-    "folder": [".lock", "report.html", "pieces/part-000000.parquet", "work/outcomes.sqlite"],
-    "link": [".lock", "report.html", "pieces", "work", "work/plan/rows", "work/drafts/draft-99"],
+    "file": ["pieces/mine.parquet"],
+    "folder": [
+        ".lock",
+        "report.html",
+        "pieces/part-000000.parquet",
+        "work/plan.sqlite",
+        "work/drafts/draft-7",
+    ],
+    "link": [".lock", "report.html", "pieces", "work", "work/plan.sqlite", "work/drafts/draft-99"],
 }
 
 

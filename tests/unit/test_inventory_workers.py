@@ -41,7 +41,7 @@ def test_a_killed_worker_changes_nothing(inputs, expected, tmp_path):
     out = tmp_path / "out"
     with two_processes() as client:
         victim = next(iter(workers(client).values()))
-        with killed_when(client, victim, (out / "work" / "plan").exists):
+        with killed_when(client, victim, (out / "work" / "plan.sqlite").exists):
             done = assessed(inputs, out, client.cluster.scheduler_address)
     assert done.exit_code == 0, done.output
     assert digests(out) == expected
@@ -54,7 +54,7 @@ def test_workers_may_come_later_which_is_said(inputs, expected, tmp_path):
     with LocalCluster(n_workers=0, processes=False, protocol="tcp", dashboard_address=None) as cluster:
 
         def add_a_worker() -> None:
-            wait_until((out / "work" / "plan").exists)
+            wait_until((out / "work" / "plan.sqlite").exists)
             cluster.scale(1)
 
         late = Thread(target=add_a_worker)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from stayput.catalogue import say
-from stayput.cli.flags import OF_LOCALE, LanguageOption, QuietOption, SetOption, ThreadsOption, changed
+from stayput.cli.flags import LanguageOption, QuietOption, SetOption, ThreadsOption, changed
 from stayput.cli.messages import note, print_json, tell_written
 from stayput.cli.streams import NAME, file_of, is_stream, table_of_input
 from stayput.progress import language_of_bars
@@ -41,7 +41,7 @@ def assess(
     threads: ThreadsOption = None,
     scheduler: Annotated[str | None, typer.Option(metavar="ADDRESS", help="cli_help.scheduler")] = None,
     memory: Annotated[str, typer.Option(help="cli_help.memory")] = "2GB",
-    lang: LanguageOption = OF_LOCALE,
+    lang: LanguageOption = "",
     json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
     quiet: QuietOption = False,
 ) -> None:
@@ -127,7 +127,7 @@ def _record(assessment: Assessment) -> dict[str, object]:
 
 
 def _print(assessment: Assessment, exported: Sequence[str], lang: str) -> None:
-    from stayput.inventory.words import printed_lines
+    from stayput.inventory.report import printed_lines
 
     facts, events = assessment.facts, assessment.summary.events
     for line in printed_lines(facts, events, assessment.runs, "geojson" in exported, lang):

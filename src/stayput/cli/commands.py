@@ -7,8 +7,8 @@ from typing import Annotated
 import typer
 
 import stayput
-from stayput.cli import assess, motion, simulate, verify
-from stayput.cli.flags import OF_LOCALE, LanguageOption, QuietOption
+from stayput.cli import assess, motion, scenarios
+from stayput.cli.flags import LanguageOption, QuietOption  # noqa: TC001 - Typer reads the annotations
 from stayput.cli.help import HelpfulCommand, RootGroup
 
 _PORT = 8000
@@ -19,7 +19,7 @@ def _page(
     port: Annotated[int, typer.Option(min=0, max=65535, help="cli_help.port")] = _PORT,
     name: Annotated[list[str] | None, typer.Option(metavar="NAME", help="cli_help.server_name")] = None,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="cli_help.browser")] = True,
-    lang: LanguageOption = OF_LOCALE,
+    lang: LanguageOption = "",
     quiet: QuietOption = False,
 ) -> None:
     """Run ``stayput app``."""
@@ -43,8 +43,8 @@ app = typer.Typer(
     rich_markup_mode=None,
 )
 for name, run in (
-    ("simulate", simulate.simulate),
-    ("verify", verify.verify),
+    ("simulate", scenarios.simulate),
+    ("verify", scenarios.verify),
     ("assess", assess.assess),
     ("app", _page),
 ):
@@ -63,7 +63,7 @@ def _options(  # pyright: ignore[reportUnusedFunction] - Typer calls it
     version: Annotated[
         bool, typer.Option("--version", "-V", callback=_print_version, is_eager=True, help="cli_help.version")
     ] = False,
-    lang: LanguageOption = OF_LOCALE,
+    lang: LanguageOption = "",
     quiet: QuietOption = False,
 ) -> None:
     """Take the flags that stand before a command."""

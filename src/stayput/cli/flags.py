@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, cast
 import typer
 
 from stayput.cli.messages import of_locale
-from stayput.cli.streams import called, is_stream, record_of, table_of_input
+from stayput.cli.streams import called, file_of, is_stream, table_of_input
 from stayput.errors import InputError, unknown
+from stayput.files import LARGEST_RECORD
 from stayput.progress import keep_quiet
 
 if TYPE_CHECKING:
@@ -52,15 +53,13 @@ ThreadsOption: TypeAlias = Annotated[int | None, typer.Option("--threads", help=
 QuietOption: TypeAlias = Annotated[
     bool, typer.Option("--quiet", "-q", callback=_quiet_if, expose_value=False, help="cli_help.quiet")
 ]
-OF_LOCALE = ""
-"""Default of `LanguageOption`."""
 
 
 def _chosen(ctx: typer.Context, value: str) -> str:
     """Return the language of the flag, else that of the flag before the command, else the locale's."""
     from stayput.wording import check_language
 
-    if value != OF_LOCALE:
+    if value:
         return check_language(value)
     return (ctx.parent and ctx.parent.params.get("lang")) or of_locale()
 
@@ -71,7 +70,7 @@ LanguageOption: TypeAlias = Annotated[
         "--lang", metavar="en|ja", callback=_chosen, show_default="cli_help.of_locale", help="cli_help.lang"
     ),
 ]
-"""What a command speaks: what ``--lang`` says, else the language of the locale."""
+"""What a command speaks: what ``--lang`` says, else ("") the language of the locale."""
 
 SetOption: TypeAlias = Annotated[
     list[str] | None, typer.Option("--set", metavar="KEY=VALUE", help="cli_help.set")
@@ -122,7 +121,10 @@ FlagValues: TypeAlias = dict[str, Any]
 
 
 def takes(flags: Mapping[str, Any]) -> Callable[[Callable[..., None]], Callable[..., None]]:
-    """Return what gives a command flags in the place of its keyword ``said``, which has what they say."""
+    """Return what gives a command flags in the place of its keyword ``said``, which has what they say.
+
+    ``--quiet`` is the last of all its flags.
+    """
 
     def with_flags(command: Callable[..., None]) -> Callable[..., None]:
         signature = inspect.signature(command, eval_str=True)
@@ -130,13 +132,16 @@ def takes(flags: Mapping[str, Any]) -> Callable[[Callable[..., None]], Callable[
         for param in signature.parameters.values():
             each = [param.replace(name=name, annotation=kind, default=None) for name, kind in flags.items()]
             parameters += each if param.name == "said" else [param]
+        quiet = inspect.Parameter(
+            "quiet", inspect.Parameter.KEYWORD_ONLY, default=False, annotation=QuietOption
+        )
 
         @wraps(command)
-        def run(**args: Any) -> None:
+        def run(quiet: object = None, **args: Any) -> None:
             values = {name: args.pop(name) for name in flags}
             command(**args, said={name: value for name, value in values.items() if value not in (None, [])})
 
-        cast("Any", run).__signature__ = signature.replace(parameters=parameters)
+        cast("Any", run).__signature__ = signature.replace(parameters=[*parameters, quiet])
         return run
 
     return with_flags
@@ -313,7 +318,7 @@ def _from_here(key: str, value: Any, flag: str, path: Path | None) -> Any:
     of_shaking = table == "shaking" and name in (*RECORD_FILES, "suite")
     if not isinstance(value, str) or not (of_shaking or name == "mesh"):
         return value
-    file = record_of(value, flag)
+    file = file_of(value, flag, most=LARGEST_RECORD)
     here = path is None or path.parent.resolve() == Path().resolve()
     return file if here else str(Path(file).absolute())
 

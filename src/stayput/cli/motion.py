@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -11,11 +10,9 @@ import typer
 from stayput.catalogue import say
 from stayput.cli.flags import (
     GROUND,
-    OF_LOCALE,
     FlagValues,
     LanguageOption,
     MotionArgument,
-    QuietOption,
     motion_of,
     numbers,
     table_of,
@@ -50,9 +47,8 @@ def info(
     motion: MotionArgument,
     *,
     said: FlagValues,
-    lang: LanguageOption = OF_LOCALE,
+    lang: LanguageOption = "",
     json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
-    quiet: QuietOption = False,
 ) -> None:
     """Run ``stayput motion info``."""
     tables = tables_of_motion(motion, said)
@@ -69,13 +65,10 @@ def info(
         _print_info(record, lang)
 
 
-def _number(value: float) -> float | None:
-    return value if math.isfinite(value) else None
-
-
 def _measures(motion: Motion) -> dict[str, Any]:
     """Return how strong a motion is, as one JSON object."""
     from stayput.motion.intensity import Intensities, SpectralMeasures
+    from stayput.report.summary import number
 
     about, moved = Intensities.of(motion), _displacements(motion)
     parts = {name: (peaks, SpectralMeasures.of(motion, name)) for name, peaks in motion.peaks().items()}
@@ -86,11 +79,11 @@ def _measures(motion: Motion) -> dict[str, Any]:
         "dt_s": motion.dt,
         "samples": len(motion),
         "duration_s": motion.duration,
-        "jma_intensity": _number(about.intensity),
+        "jma_intensity": number(about.intensity),
         "jma_class": None if motion.floor else about.intensity_class,
         "long_period_sva_m_s": about.long_period_response,
         "long_period_class": None if motion.floor else about.long_period_class,
-        "modified_mercalli": _number(about.mercalli),
+        "modified_mercalli": number(about.mercalli),
         "floor": motion.floor or None,
         "components": {
             name: {
@@ -104,8 +97,8 @@ def _measures(motion: Motion) -> dict[str, Any]:
                 "significant_duration_s": peaks.significant_duration,
                 "housner_intensity_m": spectral.housner_intensity,
                 "spectrum_intensity_m_s": spectral.spectrum_intensity,
-                "predominant_period_s": _number(spectral.predominant_period),
-                "mean_period_s": _number(spectral.mean_period),
+                "predominant_period_s": number(spectral.predominant_period),
+                "mean_period_s": number(spectral.mean_period),
             }
             for name, (peaks, spectral) in parts.items()
         },
@@ -269,8 +262,7 @@ def plot(
     *,
     said: FlagValues,
     spectra: Annotated[str | None, typer.Option(metavar="STOREY,…", help="cli_help.floor_spectra")] = None,
-    lang: LanguageOption = OF_LOCALE,
-    quiet: QuietOption = False,
+    lang: LanguageOption = "",
 ) -> None:
     """Run ``stayput motion plot``."""
     from stayput.files import PLOT_SUFFIXES, check_target
@@ -305,8 +297,7 @@ def spectrum(
     damping: Annotated[float, typer.Option(help="cli_help.oscillator_damping")] = 0.05,
     out: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.spectra_out")] = None,
     plot: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.plot_spectra")] = None,
-    lang: LanguageOption = OF_LOCALE,
-    quiet: QuietOption = False,
+    lang: LanguageOption = "",
 ) -> None:
     """Run ``stayput motion spectrum``."""
     from stayput.files import PLOT_SUFFIXES, check_target
@@ -326,7 +317,6 @@ def spectrum(
     if out is not None:
         write_text(out, _spectra_csv(spectra(PERIODS)))
     if plot is not None:
-        from stayput.catalogue import say
         from stayput.report.names import motion_label
         from stayput.report.spectra import plot_spectra
 
@@ -336,14 +326,15 @@ def spectrum(
 
 
 def _spectra_csv(spectra: dict[str, ResponseSpectrum]) -> str:
+    from stayput.spreadsheets import csv_text
+
     columns = {"period_s": next(iter(spectra.values())).periods.tolist()}
     for name, spectrum in spectra.items():
         columns[f"sa_{name}_m_s2"] = spectrum.sa.tolist()
         columns[f"psv_{name}_m_s"] = spectrum.psv.tolist()
         columns[f"sva_{name}_m_s"] = spectrum.sva.tolist()
         columns[f"sd_{name}_m"] = spectrum.sd.tolist()
-    rows = [",".join(map(repr, row)) for row in zip(*columns.values(), strict=True)]
-    return "\n".join([",".join(columns), *rows, ""])
+    return csv_text(list(columns), zip(*columns.values(), strict=True), "\n")
 
 
 def _print_spectra(motion: Motion, spectra: dict[str, ResponseSpectrum], lang: str) -> None:
@@ -370,8 +361,7 @@ def convert(
     only: Annotated[str | None, typer.Option(metavar="x|y|z", help="cli_help.only")] = None,
     step: Annotated[float | None, typer.Option(help="cli_help.step")] = None,
     form: Annotated[str | None, typer.Option("--format", metavar="csv|at2", help="cli_help.format")] = None,
-    lang: LanguageOption = OF_LOCALE,
-    quiet: QuietOption = False,
+    lang: LanguageOption = "",
 ) -> None:
     """Run ``stayput motion convert``."""
     from stayput.motion.writers import FORMATS
@@ -410,5 +400,5 @@ for run in (info, plot, spectrum, convert, suite):
 
 
 @app.callback()
-def _options(lang: LanguageOption = OF_LOCALE) -> None:  # pyright: ignore[reportUnusedFunction] - Typer calls it
+def _options(lang: LanguageOption = "") -> None:  # pyright: ignore[reportUnusedFunction] - Typer calls it
     """Take the flags that stand before a command."""

@@ -14,7 +14,7 @@ import typer
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, reason_of
-from stayput.files import LARGEST_RECORD, check_target, draft
+from stayput.files import check_target, draft
 from stayput.progress import language_of_bars
 
 if TYPE_CHECKING:
@@ -132,11 +132,6 @@ def file_of(text: str, flag: str, ending: str = "", most: int = MOST_INPUT) -> s
     if chunk:
         raise InputError("cli.input_too_large", flag, flag=flag, most=most)
     return str(file)
-
-
-def record_of(text: str, flag: str) -> str:
-    """Return the file of a record that a flag names; see `file_of`."""
-    return file_of(text, flag, most=LARGEST_RECORD)
 
 
 @contextmanager

@@ -10,10 +10,8 @@ import typer
 from stayput.catalogue import say
 from stayput.cli.flags import (
     GROUND,
-    OF_LOCALE,
     FlagValues,
     LanguageOption,
-    QuietOption,
     numbers,
     tables_of_motion,
     takes,
@@ -60,8 +58,7 @@ def suite(
     band: Annotated[str, typer.Option(metavar="T1,T2", help="cli_help.band")] = "0.1,5",
     fit: Annotated[str, typer.Option(help="cli_help.fit", autocompletion=words("cli.suite:FITS"))] = "scale",
     select: Annotated[int | None, typer.Option(metavar="N", help="cli_help.select")] = None,
-    lang: LanguageOption = OF_LOCALE,
-    quiet: QuietOption = False,
+    lang: LanguageOption = "",
 ) -> None:
     """Run ``stayput motion suite``."""
     if out.exists() and not out.is_dir():

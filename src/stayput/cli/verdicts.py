@@ -7,17 +7,35 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from rich.cells import cell_len
+from rich.padding import Padding
+from rich.table import Table
+
 from stayput.catalogue import say
 from stayput.cli.messages import folded, plain_table, terminal
+from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY
+from stayput.montecarlo.counting import EVENTS, OVERTURNED
+from stayput.report.room.report import sentences, simulations_of_room, tables
+from stayput.report.verdict import numbers
+from stayput.report.verdict.numbers import NO_NUMBER, word
+from stayput.report.verdict.tables import (
+    SHARES,
+    grades_text,
+    impossible_rows,
+    ranking,
+    simulations,
+)
+from stayput.rooms.verdict import RoomVerdict
+from stayput.verification.words import title
+from stayput.wording import with_aside
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from rich.console import Console
-    from rich.table import Table
 
     from stayput.fragility import Probability
-    from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
+    from stayput.rooms.verdict import ChangeVerdict
     from stayput.verification import Verdict
 
 _NEXT = 3
@@ -34,8 +52,6 @@ def print_verdict(verdict: Verdict | RoomVerdict, lang: str) -> None:
     lang : str
         "en" or "ja".
     """
-    from stayput.rooms.verdict import RoomVerdict
-
     if isinstance(verdict, RoomVerdict):
         _print_room(verdict, lang)
     else:
@@ -53,14 +69,6 @@ class _Line(NamedTuple):
 
 
 def _print_options(verdict: Verdict, lang: str) -> None:
-    from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY
-    from stayput.montecarlo.counting import OVERTURNED
-    from stayput.report.verdict import numbers
-    from stayput.report.verdict.numbers import word
-    from stayput.report.verdict.tables import SHARES, grades_text, impossible_rows, ranking, simulations
-    from stayput.verification.words import title
-    from stayput.wording import with_aside
-
     text, alone = partial(word, language=lang), verdict.scenario.alone
     lines: list[_Line] = []
     for row in ranking(verdict, lang):
@@ -109,23 +117,15 @@ def _print_options(verdict: Verdict, lang: str) -> None:
 
 def _events(verdict: Verdict, lang: str) -> list[str]:
     """Return the headings of the columns of events."""
-    from stayput.montecarlo.counting import EVENTS
-    from stayput.report.verdict import numbers
-    from stayput.report.verdict.numbers import word
-
     limit = numbers.length(verdict.slide_limit, lang)
     return [word(f"brief_{event}", lang, limit=limit) for event in EVENTS]
 
 
 def _shares(shares: Iterable[tuple[Any, Probability | None]], lang: str) -> list[str]:
-    from stayput.report.verdict import numbers
-
-    return [numbers.NO_NUMBER if share is None else numbers.probability(share, lang) for _, share in shares]
+    return [NO_NUMBER if share is None else numbers.probability(share, lang) for _, share in shares]
 
 
 def _slide(slide: str, median: float, lang: str) -> str:
-    from stayput.report.verdict.numbers import word
-
     return word("brief_falls", lang) if math.isinf(median) else slide
 
 
@@ -161,11 +161,6 @@ def _print_ranking(
     last : int
         How many of the last columns are left out where the table is wider than the terminal.
     """
-    from rich.cells import cell_len
-    from rich.table import Table
-
-    from stayput.report.verdict.numbers import NO_NUMBER, word
-
     console, paragraph = terminal(lang, verdict.scenario.title)
     paragraph(above)
     rows = [(line.rank, line.brief, *line.cells) for line in lines]
@@ -206,10 +201,6 @@ def _width(table: Table, console: Console) -> int:
 
 def _print_room(verdict: RoomVerdict, lang: str) -> None:
     """Print a verdict on a room: its sentences, who is hit by what, doors, and the first single changes."""
-    from rich.padding import Padding
-
-    from stayput.report.room.report import sentences, simulations_of_room, tables
-
     console, paragraph = terminal(lang, verdict.scenario.title)
     for sentence in sentences(verdict, lang):
         paragraph(sentence)

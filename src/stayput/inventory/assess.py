@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import json
 import re
-import shutil
 import time
 from contextlib import closing, contextmanager
 from dataclasses import dataclass
@@ -21,14 +20,14 @@ from stayput.execution import Pool
 from stayput.extras import arrow
 from stayput.fragility import JMA_INTENSITY, PGA, PGV
 from stayput.inventory.columns import read_columns
-from stayput.inventory.folder import MANIFEST, check_parts, claimed, digest_of, inputs_of
-from stayput.inventory.plan import REJECTS, STORE, make_plan
+from stayput.inventory.folder import MANIFEST, PLAN, called, check_parts, claimed, input_digest, inputs_of
+from stayput.inventory.plan import make_plan
 from stayput.inventory.report import report_html
-from stayput.inventory.results import PIECES, Writer, part_names
+from stayput.inventory.results import GROUND, PIECES, part_names, write_results
 from stayput.inventory.scenarios import ScenarioFile, read_scenarios
 from stayput.inventory.shakemap_files import read_shakemap
 from stayput.inventory.store import Store
-from stayput.inventory.summary import export_results, formats_of, summarise
+from stayput.inventory.summary import REJECTS, export_results, formats_of, summarise, write_rejects
 from stayput.inventory.work import Work
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.progress import bar
@@ -37,7 +36,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Mapping, Sequence
     from concurrent.futures import Executor
 
-    from stayput.catalogue import Language, Phrase
+    from stayput.catalogue import Language
     from stayput.inventory.scenarios import Changed, Scenarios
     from stayput.inventory.summary import Summary
 
@@ -90,7 +89,7 @@ class Assessment:
     @property
     def rejects(self) -> Any:
         """The rows that were not assessed, as a table of PyArrow: row, id, name, reason, and reason_ja."""
-        return arrow("parquet").read_table(self.folder / REJECTS[0])
+        return arrow("parquet").read_table(self.folder / REJECTS)
 
 
 def assess(
@@ -170,14 +169,13 @@ def assess(
     instance_of("scenario", scenario, (str, PathLike, ScenarioFile))
     table, folder, mapping = Path(inventory), Path(out), read_columns(columns)
     formats = formats_of(export)
-    map_path = None if shakemap is None else Path(shakemap)
-    scatter_path = None if uncertainty is None else Path(uncertainty)
-    if map_path is None and (field is not None or scatter_path is not None):
+    if shakemap is None and (field is not None or uncertainty is not None):
         raise InputError("inventory_tables.no_map", "shakemap")
-    paths = {"inventory": table, "shake map": map_path, "uncertainty": scatter_path}
-    files = {name: path for name, path in paths.items() if path is not None}
-    digests = {name: _digest(name, path) for name, path in files.items()}
-    shaking = None if map_path is None else read_shakemap(map_path, field, scatter_path)
+    paths = {"inventory": inventory, "shake map": shakemap, "uncertainty": uncertainty}
+    files = {name: Path(path) for name, path in paths.items() if path is not None}
+    digests = {name: input_digest(name, path) for name, path in files.items()}
+    map_path = files.get("shake map")
+    shaking = None if map_path is None else read_shakemap(map_path, field, files.get("uncertainty"))
     scenarios = read_scenarios(scenario, shaking, changed)
     inputs = {
         "inventory": digests["inventory"],
@@ -191,8 +189,8 @@ def assess(
 
     def check_unchanged() -> None:
         for name, path in files.items():
-            if _digest(name, path) != digests[name]:
-                raise InputError("inventory.changed", file=_called(name), path=repr(str(path)))
+            if input_digest(name, path) != digests[name]:
+                raise InputError("inventory.changed", file=called(name), path=repr(str(path)))
 
     with _full_disk(folder), claimed(folder, inputs) as space:
         with bar(_rows_about(table), "progress.reading", progress, "progress.rows") as advance:
@@ -201,7 +199,7 @@ def assess(
             formats = ()  # there is nothing to export
         check_parts(folder / PIECES, set(part_names(facts["parts"])))
         with (
-            closing(Store(space.folder / "plan" / STORE, memory_bytes // 16)) as store,
+            closing(Store(space.folder / PLAN, memory_bytes // 16)) as store,
             closing(
                 Work(store, scenarios, space.folder, slide_limit=limit, floor_memory=memory_bytes // 8)
             ) as work,
@@ -218,10 +216,8 @@ def assess(
             about = {"stayput": json.dumps({"inputs": digest.hexdigest(), **manifest}, sort_keys=True)}
             rows = facts["pieces"] * len(scenarios.events)
             with bar(rows, "progress.writing", progress, "progress.rows") as advance:
-                Writer(folder, space, work.outcomes, about, strengths).write(facts["parts"], advance)
-        for name in REJECTS:
-            with space.durable(folder / name) as file, (space.folder / "plan" / name).open("rb") as source:
-                shutil.copyfileobj(source, file)
+                write_results(folder / PIECES, space, store, work.outcomes, about, strengths, advance)
+            write_rejects(folder, space, store)
         summary = summarise(folder / PIECES)
         summary.write(folder, space)
         for language, name in REPORTS.items():
@@ -247,23 +243,6 @@ def memory_of(value: float | str) -> int:
             raise InputError("inventory.memory_format", "memory", memory=repr(value))
         value = float(match[1]) * _UNITS[match[2].lower()]
     return int(within("inventory.memory", value, 2**28, 2**50, "bytes"))
-
-
-def _digest(name: str, path: Path) -> str:
-    try:
-        if path.exists() and not path.is_file():  # a pipe would be read but once, a device for ever
-            raise InputError("inventory.not_a_file", file=_called(name), path=repr(str(path)))
-        return digest_of(path)
-    except OSError as error:
-        reason = reason_of(error)
-        raise InputError(
-            "inventory.unreadable", file=_called(name), path=repr(str(path)), reason=reason
-        ) from None
-
-
-def _called(name: str) -> Phrase:
-    """Return the name of an input in sentences: the inventory or the shake map."""
-    return phrase(f"inventory.input_{name.replace(' ', '_')}")
 
 
 @contextmanager
@@ -299,7 +278,7 @@ def _manifest(
     scenarios: Scenarios,
     limit: float,
     work: Work,
-    strengths: Callable[[str, float | None], tuple[float | None, ...]],
+    strengths: Callable[[str, float | None], dict[str, float | None]],
 ) -> dict[str, Any]:
     return {
         "version": stayput.__version__,
@@ -311,7 +290,9 @@ def _manifest(
                 "digest": file.digest,
                 "suite": file.ground.name,
                 "synthetic": file.ground.synthetic,
-                "intensity": None if scenarios.shakemap is not None else strengths(file.name, None)[0],
+                "intensity": None
+                if scenarios.shakemap is not None
+                else strengths(file.name, None)["intensity"],
                 "motions": settings.motions,
                 "samples": settings.samples,
                 "seed": settings.seed,
@@ -322,29 +303,26 @@ def _manifest(
     }
 
 
-def _strengths(work: Work) -> Callable[[str, float | None], tuple[float | None, ...]]:
+def _strengths(work: Work) -> Callable[[str, float | None], dict[str, float | None]]:
     """Return a function of a scenario and a map's level: what `GROUND` names."""
     places = {file.name: n for n, file in enumerate(work.scenarios.all)}
     measure = work.scenarios.measure
 
     @lru_cache(maxsize=10_000)
-    def strengths(station: str, level: float | None) -> tuple[float | None, ...]:
+    def strengths(station: str, level: float | None) -> dict[str, float | None]:
         place = places[station]
         ground, shaking = work.ground(place), work.scenarios.all[place].scenario.shaking
-        strength = shaking.strength
+        strength, numbers = shaking.strength, dict[str, float | None].fromkeys(GROUND)
+        if level is not None and measure == JMA_INTENSITY:
+            return {**numbers, "intensity": float(level)}
+        if level is None and strength is not None and strength.measure == "JMA":
+            return {**numbers, "intensity": strength.level}
         if level is None:
-            if strength is not None and strength.measure == "JMA":
-                return strength.level, None, None, None
             factors = ground.stated(strength, shaking.scale, work.settings[place].seed)
-            return ground.median_intensity(factors), None, None, None
-        if measure == JMA_INTENSITY:
-            return float(level), None, None, None
-        value = 10.0**level
-        return (
-            ground.median_intensity(ground.factors(level)),
-            None if measure.period is None else value,
-            value if measure == PGA else None,
-            value * PGV.shown if measure == PGV else None,
-        )
+        else:
+            factors = ground.factors(level)
+            name = "sa" if measure.period is not None else "pga" if measure == PGA else "pgv"
+            numbers[name] = 10.0**level * (PGV.shown if name == "pgv" else 1.0)
+        return {**numbers, "intensity": ground.median_intensity(factors)}
 
     return strengths

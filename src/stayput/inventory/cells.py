@@ -11,7 +11,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, has_control, whole_within
+from stayput.errors import InputError, has_control
 from stayput.inventory.columns import UNITS
 from stayput.vocabulary import LONGEST_WORD, WORDS, plain_word
 
@@ -63,7 +63,7 @@ class Unusable:
 _DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+", re.ASCII)
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}", re.ASCII)
 _SIGN_OF_MONEY = re.compile(r"[¥￥\\$€]\s*(?=\d)|(?<=\d)\s*[円€]")
-_AMOUNT = re.compile(r"[¥\\$€]?\s*(\d{1,3}(?:,\d{3})+(?:\.\d{1,2})?|\d+(?:\.\d*)?)\s*[円€]?", re.ASCII)
+_AMOUNT = re.compile(r"\d{1,3}(?:,\d{3})+(?:\.\d{1,2})?", re.ASCII)
 
 Cell: TypeAlias = "str | float | int | Unusable | None"
 """A cell of a table: text, a number, nothing, or something that cannot be used."""
@@ -129,32 +129,59 @@ def text_of(name: str, cell: Cell, longest: int = 200) -> str | None:
     return text
 
 
-def number_of(name: str, cell: Cell, unit: str = "") -> float | None:
-    """Return a cell as a finite number.
+def number_of(
+    name: str, cell: Cell, unit: str = "", stated: NumberUnit | None = None, decimal_comma: bool = False
+) -> float | None:
+    """Return a cell as a finite number in the column's own unit.
+
+    Parameters
+    ----------
+    name : str
+        What a sentence calls the column.
+    cell : Cell
+        The cell; a unit behind its number holds before all others. An amount of money may have a sign: in
+        cp932 that of the yen is a backslash.
+    unit : str
+        The column's own unit.
+    stated : NumberUnit, optional
+        The unit of numbers without one; the column's own by default.
+    decimal_comma : bool
+        Whether numbers may have a comma in the place of a point.
 
     Raises
     ------
     InputError
-        Something else than a number: with a unit that is unknown, with a decimal comma, not finite.
+        Something else than a number: with a unit that is unknown, with a comma or a point that may be one of
+        thousands or of decimals, not finite.
     """
     value = plain(name, cell)
     if value is None:
         return None
+    money = unit == "currency"
+    usual = stated.name if stated is not None else "" if money else unit
     if isinstance(value, str):
-        number, written = _parted(value) or ("", "")
-        points = "," not in number and _THOUSANDS.fullmatch(number) is not None
-        if points and (name in WHOLE or (written or unit) in _WHOLE_UNITS):  # it may be one of thousands
+        text = half_width(value)
+        number, written = _parted(_SIGN_OF_MONEY.sub("", text, 1) if money else text) or ("", "")
+        if money and not decimal_comma and _AMOUNT.fullmatch(number):
+            number = number.replace(",", "")
+        taken = written or usual
+        number = without_thousands(number, taken, ".," if decimal_comma else ",")
+        if decimal_comma:
+            doubtful = taken not in ("m", "°")  # a piece of 1800 m is none
+        else:
+            doubtful = "," not in number and (name in WHOLE or taken in _WHOLE_UNITS)
+        if doubtful and _THOUSANDS.fullmatch(number):
             raise refusal("comma", name, value=shown(value))
-        factor = _factor(written, unit) if written else (1.0, 1.0)
-        number = without_thousands(number, written or unit)
+        if decimal_comma and _DECIMAL_COMMA.fullmatch(number):
+            number = number.replace(",", ".")
+        factor = _factor(written, usual) if written else (1.0, 1.0)
         if factor is None or _NUMBER.fullmatch(number) is None:
-            comma = _DECIMAL_COMMA.fullmatch(half_width(value))
-            hint = phrase("inventory.decimal_comma") if comma else ""
-            raise _not_a_plain_number(name, shown(value), unit, hint)
+            hint = phrase("inventory.decimal_comma") if _DECIMAL_COMMA.fullmatch(text) else ""
+            raise _not_a_plain_number(name, shown(value), usual, hint)
         value = float(number) * factor[0] / factor[1]
     if not math.isfinite(value):
-        raise _not_a_plain_number(name, str(value), unit)
-    return float(value)
+        raise _not_a_plain_number(name, str(value), usual)
+    return float(value) if stated is None else value * stated.times / stated.over
 
 
 def half_width(text: str) -> str:
@@ -192,20 +219,6 @@ def without_thousands(number: str, unit: str, marks: str = ",") -> str:
 def _not_a_plain_number(name: str, value: str, unit: str, hint: Phrase | str = "") -> InputError:
     said = phrase("inventory.in_unit", unit=unit) if unit else ""
     return refusal("not_plain_number", name, value=value, unit=said, hint=hint)
-
-
-def whole_of(name: str, cell: Cell, low: int, high: int) -> int | None:
-    """Return a cell as a whole number.
-
-    Raises
-    ------
-    InputError
-        Not a whole number, or out of range.
-    """
-    value = number_of(name, cell)
-    if value is None:
-        return None
-    return whole_within(name, value, low, high, field=name)
 
 
 def numbers_of(name: str, cell: Cell, unit: str = "") -> tuple[float, ...]:
@@ -256,73 +269,13 @@ def refuse_without_unit(name: str, cell: Cell) -> Cell:
     return cell
 
 
-def with_point(name: str, text: str, kind: str, money: bool = False) -> str:
-    """Return a number of a table in which commas may be decimal, with a point; any other text as it is.
-
-    An amount of money loses its sign.
-
-    Raises
-    ------
-    InputError
-        The comma or the point may be one of thousands.
-    """
-    plain = _SIGN_OF_MONEY.sub("", text.strip(), 1) if money else text.strip()
-    parted = _parted(plain)
-    if parted is None:
-        return text
-    number, unit = without_thousands(parted[0], parted[1] or kind, ".,"), parted[1]
-    if _THOUSANDS.fullmatch(number) and (unit or kind) not in ("m", "°"):  # a piece of 1800 m is none
-        raise refusal("comma", name, value=shown(text))
-    pointed = number.replace(",", ".") if _DECIMAL_COMMA.fullmatch(number) else number
-    return plain.replace(parted[0], pointed, 1)
-
-
-def amount_of(text: str) -> str:
-    """Return an amount of money without its sign and the commas of its thousands; any other text as it is.
-
-    In cp932 the sign of the yen is a backslash.
-    """
-    matched = _AMOUNT.fullmatch(text.strip().replace("￥", "¥"))
-    return text if matched is None else matched[1].replace(",", "")
-
-
-def converting_reader(
-    name: str, unit: NumberUnit | None, kind: str, listed: bool, decimal_comma: bool
-) -> CellReader:
-    """Return the reader of the cells of a column of numbers.
-
-    Parameters
-    ----------
-    name : str
-        What a sentence calls the column.
-    unit : NumberUnit, optional
-        The unit of its numbers; None where it is the column's own.
-    kind : str
-        The column's own unit.
-    listed : bool
-        Whether a cell holds numbers with semicolons between them.
-    decimal_comma : bool
-        Whether numbers may have a comma in the place of a point.
-    """
-    written = kind if unit is None else unit.name
-
-    def number(text: Cell) -> Cell:
-        text = half_width(text) if isinstance(text, str) else text
-        if decimal_comma and isinstance(text, str):
-            text = with_point(name, text, written, kind == "currency")
-        elif kind == "currency" and isinstance(text, str):
-            text = amount_of(text)
-        if unit is None or unit.times == unit.over:
-            return text
-        value = number_of(name, text, written)
-        return None if value is None else value * unit.times / unit.over
-
-    def read(cell: Cell) -> Cell:
-        if not listed or not isinstance(cell, str):
-            return number(cell)
-        return ";".join("" if part is None else str(part) for part in map(number, cell.split(";")))
-
-    return read
+def numbers_read(name: str, cell: Cell, **about: Any) -> Cell:
+    """Return a cell of numbers with semicolons between them in the column's own unit; see `number_of`."""
+    value = plain(name, cell)
+    if not isinstance(value, str) or ";" not in value:
+        return value if name == "floor" else number_of(name, value, **about)  # a floor may be a surface
+    numbers = (number_of(name, part, **about) for part in value.split(";"))
+    return ";".join("" if number is None else str(number) for number in numbers)
 
 
 ROOF = "roof"

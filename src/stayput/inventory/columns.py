@@ -16,7 +16,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, quoted, reason_of, shown, unknown
+from stayput.errors import InputError, quoted, shown, unknown
+from stayput.inventory.folder import unreadable
 from stayput.scenario.toml import read_toml
 from stayput.spreadsheets import named_columns
 
@@ -349,8 +350,7 @@ def _file(path: Path) -> dict[str, Any]:
         with path.open("rb") as file:
             content: Any = json.loads(file.read(LARGEST_FILE).decode("utf-8-sig"))
     except OSError as error:
-        reason, called = reason_of(error), phrase("inventory.input_columns")
-        raise InputError("inventory.unreadable", file=called, path=repr(str(path)), reason=reason) from None
+        raise unreadable("columns", path, error) from None
     except (ValueError, RecursionError):
         content = None
     if not isinstance(content, dict):

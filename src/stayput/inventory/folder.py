@@ -1,7 +1,7 @@
 """The folder of an assessment: which inputs it belongs to, its lock, atomic writes, files of others.
 
-Every file or folder is made as a draft and takes its name when it is complete, but the data base of what is
-done, which SQLite keeps whole.
+Every file is made as a draft and takes its name when it is complete, but the data base of what is done, which
+SQLite keeps whole.
 """
 
 from __future__ import annotations
@@ -11,23 +11,24 @@ import itertools
 import json
 import os
 import re
-import shutil
 from contextlib import contextmanager
 from typing import IO, TYPE_CHECKING, Any, cast
 
 import stayput
 from stayput.catalogue import phrase
-from stayput.errors import InputError
+from stayput.errors import InputError, reason_of
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Iterator, Mapping
     from pathlib import Path
 
-FORMAT = 8
+    from stayput.catalogue import Phrase
+
+FORMAT = 9
 """Changes with the files' layout or meaning."""
 
 MANIFEST, WORK, LOCK = "manifest.json", "work", ".lock"
-DRAFTS, OUTCOMES = "drafts", "outcomes.sqlite"
+DRAFTS, PLAN, OUTCOMES = "drafts", "plan.sqlite", "outcomes.sqlite"
 
 BEGUN = re.compile(r"\.lock|work/(drafts/(draft-\d+)?)?")
 """What an assessment leaves that was killed before its manifest was written."""
@@ -35,14 +36,12 @@ BEGUN = re.compile(r"\.lock|work/(drafts/(draft-\d+)?)?")
 OWN = re.compile(
     BEGUN.pattern
     + r"|manifest\.json|report(\.ja)?\.html|(summary|rejects)\.(parquet|csv)"
-    + r"|pieces\.(csv|geojson)|pieces/(part-\d{6}\.parquet)?|work/outcomes\.sqlite(-journal)?"
-    + r"|work/(plan|drafts/draft-\d+)/"
-    + r"(plan\.sqlite(-journal)?|rejects\.(parquet|csv)|rows/(part-\d{6}\.parquet)?)?"
+    + r"|pieces\.(csv|geojson)|pieces/(part-\d{6}\.parquet)?|work/(plan|outcomes)\.sqlite(-journal)?"
 )
 """All that an assessment writes, by its path in the folder of the results; folders end in a slash."""
 
-READ = re.compile(r"(pieces|work/(plan|drafts/draft-\d+))/(.*/)?[^.][^/]*/?")
-"""What would be read as ours, or be removed with what is ours."""
+READ = re.compile(r"pieces/(.*/)?[^.][^/]*/?")
+"""What would be read as ours."""
 
 
 class Workspace:
@@ -57,33 +56,22 @@ class Workspace:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         (folder / DRAFTS).mkdir(exist_ok=True)
-        for leftover in sorted((folder / DRAFTS).iterdir()):
+        for leftover in (folder / DRAFTS).iterdir():
             if re.fullmatch(r"draft-\d+", leftover.name):
-                remove(leftover)
+                leftover.unlink()
         self._numbers = itertools.count()
 
-    def draft(self) -> Path:
-        """Return the path of a new draft, which does not exist yet."""
-        return self.folder / DRAFTS / f"draft-{next(self._numbers)}"
-
     @contextmanager
-    def durable(self, path: Path) -> Generator[IO[bytes]]:
-        """Yield a file to write; once complete and on disk it takes its name, else it is removed."""
-        draft = self.draft()
+    def draft(self, path: Path) -> Generator[Path]:
+        """Yield a path to make a file at, which takes its name once on disk, or is removed if it fails."""
+        draft = self.folder / DRAFTS / f"draft-{next(self._numbers)}"
         try:
-            with draft.open("xb") as file:
-                yield file
-            self.publish(draft, path)
+            yield draft
+            with draft.open("rb+") as file:
+                os.fsync(file.fileno())
+            draft.replace(path)
         finally:
             draft.unlink(missing_ok=True)
-
-    def publish(self, draft: Path, path: Path) -> None:
-        """Bring a draft, a file or a folder of files, to the disk, and give it its name."""
-        for each in (draft, *draft.rglob("*")):
-            if each.is_file():
-                with each.open("rb+") as file:
-                    os.fsync(file.fileno())
-        draft.replace(path)
         if os.name == "posix":  # the folder's names too
             descriptor = os.open(path.parent, os.O_RDONLY)
             try:
@@ -91,24 +79,49 @@ class Workspace:
             finally:
                 os.close(descriptor)
 
+    @contextmanager
+    def durable(self, path: Path) -> Generator[IO[bytes]]:
+        """Yield a file to write; once complete and on disk it takes its name, else it is removed."""
+        with self.draft(path) as draft, draft.open("xb") as file:
+            yield file
+
     def write_json(self, path: Path, content: Mapping[str, Any]) -> None:
         """Write a mapping as JSON, atomically."""
         with self.durable(path) as file:
             file.write((json.dumps(content, indent=2, sort_keys=True) + "\n").encode())
 
 
-def remove(path: Path) -> None:
-    """Remove a draft or a plan: a file, or a folder with all that is in it."""
-    if path.is_dir():
-        shutil.rmtree(path)
-    else:
-        path.unlink(missing_ok=True)
-
-
 def digest_of(path: Path) -> str:
     """Return the SHA-256 of a file."""
     with path.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def called(name: str) -> Phrase:
+    """Return what sentences call an input, such as "shake map"."""
+    return phrase(f"inventory.input_{name.replace(' ', '_')}")
+
+
+def unreadable(name: str, path: Path, error: OSError) -> InputError:
+    """Return the refusal of an input that the system does not let be read."""
+    reason = reason_of(error)
+    return InputError("inventory.unreadable", file=called(name), path=repr(str(path)), reason=reason)
+
+
+def input_digest(name: str, path: Path) -> str:
+    """Return the SHA-256 of an input.
+
+    Raises
+    ------
+    InputError
+        No file, or one that cannot be read.
+    """
+    try:
+        if path.exists() and not path.is_file():  # a pipe would be read but once, a device for ever
+            raise InputError("inventory.not_a_file", file=called(name), path=repr(str(path)))
+        return digest_of(path)
+    except OSError as error:
+        raise unreadable(name, path, error) from None
 
 
 @contextmanager
@@ -140,7 +153,7 @@ def claimed(folder: Path, inputs: Mapping[str, Any]) -> Generator[Workspace]:
         before = inputs_of(folder)
         if before is not None and before != wanted and _holds_results(folder):
             other = next((name for name in wanted if before.get(name) != wanted[name]), "list of inputs")
-            other = phrase(f"inventory.input_{other.replace(' ', '_')}")
+            other = called(other)
             raise InputError("inventory.other_assessment", "out", folder=repr(str(folder)), other=other)
         (folder / WORK).mkdir(exist_ok=True)
         space = Workspace(folder / WORK)
@@ -213,7 +226,7 @@ def _in_the_way(folder: Path, entry: str) -> InputError:
 def _holds_results(folder: Path) -> bool:
     """Return whether there are results of the inputs: there are none where the table was refused."""
     return any(
-        (folder / name).exists() for name in (f"{WORK}/plan", f"{WORK}/{OUTCOMES}", "pieces", "report.html")
+        (folder / name).exists() for name in (f"{WORK}/{PLAN}", f"{WORK}/{OUTCOMES}", "pieces", "report.html")
     )
 
 

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass, field
+from contextlib import suppress
 from difflib import get_close_matches
-from functools import partial, reduce
+from functools import partial
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, unknown
 from stayput.inventory.cells import (
-    converting_reader,
     in_own_unit,
     is_empty,
     number_of,
     number_or_none,
+    numbers_read,
     preset_called,
     refuse_without_unit,
     shown,
@@ -40,7 +40,7 @@ from stayput.inventory.columns import (
 from stayput.vocabulary import WORDS, meant
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Sequence
 
     from stayput.catalogue import Phrase
     from stayput.inventory.cells import Cell, CellReader
@@ -59,260 +59,8 @@ ROWS_OF_A_TITLE = 20
 """Most rows above the headings that are taken for a title."""
 
 
-@dataclass(frozen=True, slots=True)
 class Header:
-    """Positions of the columns in a row.
-
-    Parameters
-    ----------
-    places : mapping of str to int
-        Place of each known column.
-    width : int
-        Number of columns.
-    unnamed : tuple of int
-        Places without a name: they must be empty.
-    unused : tuple of str
-        Columns that are not known; they are reported and not used.
-    readers : mapping of str to callable
-        How the cells of a column are read that are in another unit or spelling than the column's own.
-    renamed : tuple of str
-        What was taken for what, as "width = 奥行 [mm]".
-    called : mapping of str to str
-        What the table calls the columns that it calls otherwise.
-    along_the_wall : (int, callable), optional
-        Place and reader of the size along the wall, which tells a piece that is narrower than deep.
-    """
-
-    places: Mapping[str, int]
-    width: int
-    unnamed: tuple[int, ...] = ()
-    unused: tuple[str, ...] = ()
-    readers: Mapping[str, CellReader] = field(default_factory=dict[str, "CellReader"])
-    renamed: tuple[str, ...] = ()
-    called: Mapping[str, str] = field(default_factory=dict[str, str])
-    along_the_wall: tuple[int, CellReader] | None = None
-
-    def width_of(self, row: Sequence[Cell]) -> float | None:
-        """Return the size of a row's piece along the wall [m], or None where the row does not say it."""
-        if self.along_the_wall is None:
-            return None
-        place, read = self.along_the_wall
-        try:
-            return number_of("width", read(row[place]), "m")
-        except InputError:  # the column is not used otherwise, so a row is not refused for it
-            return None
-
-    def cells(self, row: Sequence[Cell]) -> dict[str, Cell]:
-        """Return the known cells of a row by their columns.
-
-        Raises
-        ------
-        InputError
-            More or fewer cells than columns, one below no name, or one that cannot be read in its unit.
-        """
-        if len(row) != self.width:
-            raise InputError("inventory.row_length", cells=len(row), columns=self.width)
-        for place in self.unnamed:
-            if not is_empty(row[place]):
-                raise InputError("inventory.cell_without_name", cell=place + 1, value=shown(row[place]))
-        cells = {name: row[place] for name, place in self.places.items()}
-        for name, read in self.readers.items():
-            cells[name] = read(cells[name])
-        if "name" in cells and is_empty(cells.get("preset")):
-            cells["preset"] = preset_called(cells["name"])
-        return cells
-
-
-class _Reading:
-    """The columns of a header as they are understood one after another.
-
-    Parameters
-    ----------
-    names : sequence of str
-        The names as they are written; "" where there is none.
-    sample : sequence
-        Some of the rows.
-    mapping : ColumnMapping
-        What is stated.
-    """
-
-    def __init__(
-        self, names: Sequence[str], sample: Sequence[Sequence[Cell]], mapping: ColumnMapping
-    ) -> None:
-        self.names, self.sample, self.mapping = names, sample, mapping
-        self.parts = [header_name(name) for name in names]
-        mapped, self.ignored = mapping.places(names)
-        self.places = {name: place for name, (place, _) in mapped.items()}
-        self.units: dict[str, NumberUnit | None] = {name: unit for name, (_, unit) in mapped.items()}
-        self.mapped = frozenset(self.places.values())
-        self.in_own_units: set[str] = set()
-        self.doubts: list[tuple[Phrase, str]] = []  # each with the part of --columns that would settle it
-        self.unused: list[str] = [names[place][:200] for place in sorted(self.ignored)]
-        taken = {*self.mapped, *self.ignored}
-        self.free = [place for place, name in enumerate(names) if name and place not in taken]
-
-    def doubt(self, key: str, place: int, settled: str | None = None, **values: object) -> None:
-        """Note what is unclear about a column, and what settles it: by default that it is ignored."""
-        about = phrase(f"inventory_tables.doubt_{key}", header=shown(self.names[place]), **values)
-        self.doubts.append((about, settled or f"{IGNORE}={self.names[place]}"))
-
-    def column(self, place: int) -> list[Cell]:
-        """Return the cells of a column in the sample."""
-        return [row[place] for row in self.sample if place < len(row)]
-
-    def has_numbers(self, place: int) -> bool:
-        """Return whether a column has numbers in the sample."""
-        return any(number_or_none(cell) is not None for cell in self.column(place))
-
-    def take_known(self) -> None:
-        """Take columns by stayput's names, then by usual ones."""
-        for place in list(self.free):
-            name = self.names[place].lower()
-            if name in COLUMNS and name not in self.places:
-                self.places[name], self.units[name] = place, None
-                self.free.remove(place)
-        for place in list(self.free):
-            part, name = self.parts[place], self.parts[place].column
-            if part.base in ALONG_THE_WALL or name is None:
-                continue
-            self.free.remove(place)
-            if name in self.places:
-                self._second(name, place)
-            elif part.note:
-                self.doubt("note", place, self._proposed(name, place), note=part.note)
-            else:
-                self._take(name, place)
-
-    def _second(self, name: str, place: int) -> None:
-        """Take in another column of a name that is taken: a total beside a price is left out."""
-        first = self.places[name]
-        total, first_total = (self.parts[each].base in TOTALS for each in (place, first))
-        if name == "width" and self.names[first].lower() == name and self.units[name] is None:
-            settled = f"{self._proposed('width', place)},{IGNORE}={self.names[first]}"
-            self.doubt("width", place, settled, width=shown(self.names[first]))
-        elif name == "value" and first_total:
-            self.unused.append(self.names[first][:200])
-            self._take(name, place)
-        elif name in ("name", "id") or (name == "value" and total):
-            self.unused.append(self.names[place][:200])
-        else:
-            self.doubt("twice", place, first=shown(self.names[first]), name=name)
-
-    def _take(self, name: str, place: int) -> None:
-        kind, written = COLUMNS[name].unit, self.parts[place].unit
-        self.places[name], self.units[name] = place, UNITS.get(kind, {}).get(written)
-        if self.units[name] is not None or not (written or kind in ("m", "kg")):
-            return
-        bare = not written and not self.has_numbers(place)
-        if bare and any(in_own_unit(cell, kind) for cell in self.column(place)):
-            self.in_own_units.add(name)
-        else:
-            self.doubt("unit", place, self._proposed(name, place))
-
-    def take_rest(self) -> None:
-        """Look at what is left: doubtful where it would change a result, else not used."""
-        sized = {"width", "height"} <= self.places.keys()
-        for place in self.free:
-            base, unit, header = self.parts[place].base, self.parts[place].unit, self.names[place]
-            across = base in ALONG_THE_WALL
-            if across and "width" not in self.places:
-                self.doubt("no_depth", place, f"width=?,{IGNORE}={header}")
-            elif not across and LOOKS_LIKE_COUNT.fullmatch(base) and "count" not in self.places:
-                self.doubt("count", place, f"count={header}")
-            elif not (across or sized) and (LOOKS_LIKE_SIZE.fullmatch(base) or unit in UNITS["m"]):
-                self.doubt("size", place, f"?={header}")
-            elif not across and get_close_matches(base.replace(" ", "_"), COLUMNS, 1, LIKENESS):
-                raise unknown("inventory_tables.column_name", header, COLUMNS, header)
-            else:
-                self.unused.append(header[:200])
-
-    def look_at_cells(self) -> None:
-        """Doubt what the cells speak against: storeys for a surface, totals for the value of one piece."""
-        floor, value = self.places.get("floor"), self.places.get("value")
-        if floor is not None and "storey" not in self.places:
-            cells = [str(cell) for cell in self.column(floor) if cell]
-            if cells and all(storey_called(cell) is not None for cell in cells):
-                self.doubt("floor", floor, f"storey={self.names[floor]}")
-        if value is None or value in self.mapped or "count" not in self.places:
-            return
-        if self.parts[value].base in TOTALS:
-            self.doubt("total", value)
-
-    def unknown(self) -> list[str]:
-        """Return the part of a mapping for each column of which nothing is known."""
-        return [f"?={name}" for name in self.unused[len(self.ignored) :][:UNKNOWN_SHOWN]]
-
-    def proposal(self, others: Sequence[str] = ()) -> str:
-        """Return the mapping to give: what is given already, but for what is doubted, and what settles it."""
-        settled = ",".join(dict.fromkeys((*(part for _, part in self.doubts), *others)))
-        kept = [f"{name}={header}" for name, header in self.mapping.pairs if f",{name}=" not in f",{settled}"]
-        ignored = [f"{IGNORE}={header}" for header in self.mapping.ignored]
-        return ",".join([*kept, *ignored, settled])
-
-    def refuse_what_is_unclear(self) -> None:
-        """Refuse a header of which something is doubted, or nothing says what the pieces are."""
-        sized = {"width", "height"} <= self.places.keys()
-        if not {"name", "preset"} & self.places.keys() and not sized:
-            if not any(self.names):
-                raise InputError("inventory.first_row", "inventory", reason=phrase("inventory.is_empty"))
-            if not_known := self.unknown():
-                proposal, columns = self.proposal(not_known), ", ".join(COLUMNS)
-                raise InputError(
-                    "inventory_tables.no_known_column", "columns", proposal=proposal, columns=columns
-                )
-        self.look_at_cells()
-        if not self.doubts:
-            return
-        doubts = [about for about, _ in self.doubts[:SHOWN]]
-        if more := len(self.doubts) - len(doubts):
-            doubts.append(phrase("inventory_tables.more_doubts", count=more))
-        proposal = self.proposal()
-        raise InputError(
-            "inventory_tables.unclear",
-            "columns",
-            doubts=("; ".join(en for en, _ in doubts), "；".join(ja for _, ja in doubts)),
-            proposal=proposal,
-            fill=phrase("inventory_tables.fill") if "?" in proposal else "",
-        )
-
-    def reader(self, name: str, decimal_comma: bool) -> CellReader | None:
-        """Return how a column's cells are read, or None where they are taken as they are."""
-        if name == "storey":
-            return storey_meant
-        kind, unit = COLUMNS[name].unit, self.units[name]
-        readers: list[CellReader] = []
-        if name in self.in_own_units:
-            readers.append(partial(refuse_without_unit, name))
-        if name in WORDS:
-            readers.append(partial(meant, name))
-        converted = unit is not None and unit.times != unit.over
-        numeric = bool(kind) or name in (*LISTS, "count")
-        if converted or kind == "currency" or (decimal_comma and numeric):
-            readers.append(converting_reader(name, unit, kind, name in LISTS, decimal_comma))
-        return (lambda cell: reduce(lambda read, convert: convert(read), readers, cell)) if readers else None
-
-    def along_the_wall(self, decimal_comma: bool) -> tuple[int, CellReader] | None:
-        """Return the place of the size along the wall and its reader; one without a unit has the depth's."""
-        for place, part in enumerate(self.parts):
-            if place not in self.places.values() and part.base in WIDTHS:
-                unit = UNITS["m"].get(part.unit) or self.units.get("width")
-                return place, converting_reader("width", unit, "m", False, decimal_comma)
-        return None
-
-    def _proposed(self, name: str, place: int) -> str:
-        """Return the part of a mapping that is likely meant, with "?" for a unit that is not written."""
-        kind = COLUMNS[name].unit
-        known = kind not in ("m", "kg") or self.parts[place].unit in UNITS[kind]
-        return f"{name}={self.names[place]}" if known else f"{name}={self.names[place]}[?]"
-
-
-def header_of(
-    cells: Sequence[Cell],
-    sample: Sequence[Sequence[Cell]] = (),
-    mapping: ColumnMapping | None = None,
-    decimal_comma: bool = False,
-) -> Header:
-    """Read the first row of a table.
+    """The first row of a table: which column is which, and in which unit.
 
     Columns are known by stayput's names, by those that inventories usually have, and by a mapping. A column
     that would change a result, and of which it is not certain what it holds or in which unit, is refused
@@ -329,39 +77,238 @@ def header_of(
     decimal_comma : bool
         Whether numbers may have a comma in the place of a point.
 
+    Attributes
+    ----------
+    places : dict of str to int
+        Place of each known column.
+    unused : list of str
+        Columns that are not known; they are reported and not used.
+    called : dict of str to str
+        What the table calls the columns that it calls otherwise.
+    renamed : list of str
+        What was taken for what, as "width = 奥行 [mm]".
+
     Raises
     ------
     InputError
         Two columns of one name, no name of a piece and no size, one that is unclear or misspelt.
     """
-    names = [cell.strip() if isinstance(cell, str) else "" for cell in cells]
-    _refuse_headings_elsewhere(names, sample)
-    reading = _Reading(names, sample, mapping or ColumnMapping())
-    for name, times in Counter(map(plain_name, names)).items():
-        if name and times > 1:
-            raise InputError("inventory.column_twice", name, name=shown(name))
-    reading.take_known()
-    reading.take_rest()
-    reading.refuse_what_is_unclear()
-    places = {name: reading.places[name] for name in COLUMNS if name in reading.places}
-    readers = {name: reading.reader(name, decimal_comma) for name in places}
-    called = {name: names[place] for name, place in places.items() if names[place].lower() != name}
-    renamed: list[str] = []
-    for name, place in places.items():
-        unit, written = reading.units[name], reading.parts[place].unit
-        if name in called or unit is not None:
-            stated = "" if unit is None or written else f" [{unit.name}]"
-            renamed.append(f"{name} = {names[place][:60]}{stated}")
-    return Header(
-        places,
-        len(names),
-        tuple(place for place, name in enumerate(names) if not name),
-        tuple(reading.unused),
-        {name: read for name, read in readers.items() if read is not None},
-        tuple(renamed),
-        called,
-        reading.along_the_wall(decimal_comma),
-    )
+
+    def __init__(
+        self,
+        cells: Sequence[Cell],
+        sample: Sequence[Sequence[Cell]] = (),
+        mapping: ColumnMapping | None = None,
+        decimal_comma: bool = False,
+    ) -> None:
+        self.names = names = [cell.strip() if isinstance(cell, str) else "" for cell in cells]
+        self.sample, self.mapping, self.decimal_comma = sample, mapping or ColumnMapping(), decimal_comma
+        _refuse_headings_elsewhere(names, sample)
+        self.parts = [header_name(name) for name in names]
+        mapped, self.ignored = self.mapping.places(names)
+        self.places = {name: place for name, (place, _) in mapped.items()}
+        self.units: dict[str, NumberUnit | None] = {name: unit for name, (_, unit) in mapped.items()}
+        self.mapped = frozenset(self.places.values())
+        self.in_own_units: set[str] = set()
+        self.doubts: list[tuple[Phrase, str]] = []  # each with the part of --columns that would settle it
+        self.unused: list[str] = [names[place][:200] for place in sorted(self.ignored)]
+        taken = {*self.mapped, *self.ignored}
+        self.free = [place for place, name in enumerate(names) if name and place not in taken]
+        for name, times in Counter(map(plain_name, names)).items():
+            if name and times > 1:
+                raise InputError("inventory.column_twice", name, name=shown(name))
+        self._take_known()
+        self._take_rest()
+        self._refuse_what_is_unclear()
+        self.places = {name: self.places[name] for name in COLUMNS if name in self.places}
+        self.called = {n: names[place] for n, place in self.places.items() if names[place].lower() != n}
+        self.readers = {name: self._readers(name) for name in self.places}
+        self.renamed: list[str] = []
+        for name, place in self.places.items():
+            unit, written = self.units[name], self.parts[place].unit
+            if name in self.called or unit is not None:
+                stated = "" if unit is None or written else f" [{unit.name}]"
+                self.renamed.append(f"{name} = {names[place][:60]}{stated}")
+
+    def width_of(self, row: Sequence[Cell]) -> float | None:
+        """Return the size of a row's piece along the wall [m], or None where the row does not say it.
+
+        It tells a piece that is narrower than deep. One without a unit has the depth's.
+        """
+        for place, part in enumerate(self.parts):
+            if place not in self.places.values() and part.base in WIDTHS:
+                unit = UNITS["m"].get(part.unit) or self.units.get("width")
+                with suppress(InputError):  # the column is not used otherwise: a row is not refused for it
+                    return number_of("width", row[place], "m", unit, self.decimal_comma)
+                return None
+        return None
+
+    def cells(self, row: Sequence[Cell]) -> dict[str, Cell]:
+        """Return the known cells of a row by their columns.
+
+        Raises
+        ------
+        InputError
+            More or fewer cells than columns, one below no name, or one that cannot be read in its unit.
+        """
+        if len(row) != len(self.names):
+            raise InputError("inventory.row_length", cells=len(row), columns=len(self.names))
+        for place, (name, cell) in enumerate(zip(self.names, row, strict=True), 1):
+            if not name and not is_empty(cell):
+                raise InputError("inventory.cell_without_name", cell=place, value=shown(cell))
+        cells = {name: row[place] for name, place in self.places.items()}
+        for name, readers in self.readers.items():
+            for read in readers:
+                cells[name] = read(cells[name])
+        if "name" in cells and is_empty(cells.get("preset")):
+            cells["preset"] = preset_called(cells["name"])
+        return cells
+
+    def _doubt(self, key: str, place: int, settled: str | None = None, **values: object) -> None:
+        """Note what is unclear about a column, and what settles it: by default that it is ignored."""
+        about = phrase(f"inventory_tables.doubt_{key}", header=shown(self.names[place]), **values)
+        self.doubts.append((about, settled or f"{IGNORE}={self.names[place]}"))
+
+    def _column(self, place: int) -> list[Cell]:
+        """Return the cells of a column in the sample."""
+        return [row[place] for row in self.sample if place < len(row)]
+
+    def _has_numbers(self, place: int) -> bool:
+        """Return whether a column has numbers in the sample."""
+        return any(number_or_none(cell) is not None for cell in self._column(place))
+
+    def _take_known(self) -> None:
+        """Take columns by stayput's names, then by usual ones."""
+        for place in list(self.free):
+            name = self.names[place].lower()
+            if name in COLUMNS and name not in self.places:
+                self.places[name], self.units[name] = place, None
+                self.free.remove(place)
+        for place in list(self.free):
+            part, name = self.parts[place], self.parts[place].column
+            if part.base in ALONG_THE_WALL or name is None:
+                continue
+            self.free.remove(place)
+            if name in self.places:
+                self._second(name, place)
+            elif part.note:
+                self._doubt("note", place, self._proposed(name, place), note=part.note)
+            else:
+                self._take(name, place)
+
+    def _second(self, name: str, place: int) -> None:
+        """Take in another column of a name that is taken: a total beside a price is left out."""
+        first = self.places[name]
+        total, first_total = (self.parts[each].base in TOTALS for each in (place, first))
+        if name == "width" and self.names[first].lower() == name and self.units[name] is None:
+            settled = f"{self._proposed('width', place)},{IGNORE}={self.names[first]}"
+            self._doubt("width", place, settled, width=shown(self.names[first]))
+        elif name == "value" and first_total:
+            self.unused.append(self.names[first][:200])
+            self._take(name, place)
+        elif name in ("name", "id") or (name == "value" and total):
+            self.unused.append(self.names[place][:200])
+        else:
+            self._doubt("twice", place, first=shown(self.names[first]), name=name)
+
+    def _take(self, name: str, place: int) -> None:
+        kind, written = COLUMNS[name].unit, self.parts[place].unit
+        self.places[name], self.units[name] = place, UNITS.get(kind, {}).get(written)
+        if self.units[name] is not None or not (written or kind in ("m", "kg")):
+            return
+        bare = not written and not self._has_numbers(place)
+        if bare and any(in_own_unit(cell, kind) for cell in self._column(place)):
+            self.in_own_units.add(name)
+        else:
+            self._doubt("unit", place, self._proposed(name, place))
+
+    def _take_rest(self) -> None:
+        """Look at what is left: doubtful where it would change a result, else not used."""
+        sized = {"width", "height"} <= self.places.keys()
+        for place in self.free:
+            base, unit, header = self.parts[place].base, self.parts[place].unit, self.names[place]
+            across = base in ALONG_THE_WALL
+            if across and "width" not in self.places:
+                self._doubt("no_depth", place, f"width=?,{IGNORE}={header}")
+            elif not across and LOOKS_LIKE_COUNT.fullmatch(base) and "count" not in self.places:
+                self._doubt("count", place, f"count={header}")
+            elif not (across or sized) and (LOOKS_LIKE_SIZE.fullmatch(base) or unit in UNITS["m"]):
+                self._doubt("size", place, f"?={header}")
+            elif not across and get_close_matches(base.replace(" ", "_"), COLUMNS, 1, LIKENESS):
+                raise unknown("inventory_tables.column_name", header, COLUMNS, header)
+            else:
+                self.unused.append(header[:200])
+
+    def _look_at_cells(self) -> None:
+        """Doubt what the cells speak against: storeys for a surface, totals for the value of one piece."""
+        floor, value = self.places.get("floor"), self.places.get("value")
+        if floor is not None and "storey" not in self.places:
+            cells = [str(cell) for cell in self._column(floor) if cell]
+            if cells and all(storey_called(cell) is not None for cell in cells):
+                self._doubt("floor", floor, f"storey={self.names[floor]}")
+        if value is None or value in self.mapped or "count" not in self.places:
+            return
+        if self.parts[value].base in TOTALS:
+            self._doubt("total", value)
+
+    def _unknown(self) -> list[str]:
+        """Return the part of a mapping for each column of which nothing is known."""
+        return [f"?={name}" for name in self.unused[len(self.ignored) :][:UNKNOWN_SHOWN]]
+
+    def _proposal(self, others: Sequence[str] = ()) -> str:
+        """Return the mapping to give: what is given already, but for what is doubted, and what settles it."""
+        settled = ",".join(dict.fromkeys((*(part for _, part in self.doubts), *others)))
+        kept = [f"{name}={header}" for name, header in self.mapping.pairs if f",{name}=" not in f",{settled}"]
+        ignored = [f"{IGNORE}={header}" for header in self.mapping.ignored]
+        return ",".join([*kept, *ignored, settled])
+
+    def _refuse_what_is_unclear(self) -> None:
+        """Refuse a header of which something is doubted, or nothing says what the pieces are."""
+        sized = {"width", "height"} <= self.places.keys()
+        if not {"name", "preset"} & self.places.keys() and not sized:
+            if not any(self.names):
+                raise InputError("inventory.first_row", "inventory", reason=phrase("inventory.is_empty"))
+            if not_known := self._unknown():
+                proposal, columns = self._proposal(not_known), ", ".join(COLUMNS)
+                raise InputError(
+                    "inventory_tables.no_known_column", "columns", proposal=proposal, columns=columns
+                )
+        self._look_at_cells()
+        if not self.doubts:
+            return
+        doubts = [about for about, _ in self.doubts[:SHOWN]]
+        if more := len(self.doubts) - len(doubts):
+            doubts.append(phrase("inventory_tables.more_doubts", count=more))
+        proposal = self._proposal()
+        raise InputError(
+            "inventory_tables.unclear",
+            "columns",
+            doubts=("; ".join(en for en, _ in doubts), "；".join(ja for _, ja in doubts)),
+            proposal=proposal,
+            fill=phrase("inventory_tables.fill") if "?" in proposal else "",
+        )
+
+    def _readers(self, name: str) -> list[CellReader]:
+        """Return what makes the column's own text or number of its cells, one after another."""
+        if name == "storey":
+            return [storey_meant]
+        kind, unit = COLUMNS[name].unit, self.units[name]
+        readers: list[CellReader] = []
+        if name in self.in_own_units:
+            readers.append(partial(refuse_without_unit, name))
+        if name in WORDS:
+            readers.append(partial(meant, name))
+        numeric = bool(kind) or name in (*LISTS, "count")
+        if unit is not None or kind == "currency" or (self.decimal_comma and numeric):
+            about = {"unit": kind, "stated": unit, "decimal_comma": self.decimal_comma}
+            readers.append(partial(numbers_read if name in LISTS else number_of, name, **about))
+        return readers
+
+    def _proposed(self, name: str, place: int) -> str:
+        """Return the part of a mapping that is likely meant, with "?" for a unit that is not written."""
+        kind = COLUMNS[name].unit
+        known = kind not in ("m", "kg") or self.parts[place].unit in UNITS[kind]
+        return f"{name}={self.names[place]}" if known else f"{name}={self.names[place]}[?]"
 
 
 def _headings_in(row: Sequence[Cell]) -> list[str]:

@@ -1,4 +1,4 @@
-"""Rows of an inventory as checked items: the piece, where it stands, and the measures to compare."""
+"""Checked rows of an inventory: the piece, where it stands, and the measures to compare."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pydantic import ValidationError
 from stayput.catalogue import phrase
 from stayput.contents import Contents
 from stayput.contents.contents import emptied
-from stayput.errors import InputError, unknown, visible, within
+from stayput.errors import InputError, unknown, visible, whole_within, within
 from stayput.inventory.cells import (
     ROOF,
     Unusable,
@@ -25,7 +25,6 @@ from stayput.inventory.cells import (
     refusal,
     shown,
     text_of,
-    whole_of,
 )
 from stayput.inventory.columns import TOTAL_ROW, plain_name
 from stayput.inventory.scenarios import stated_building
@@ -73,12 +72,14 @@ LONGEST_NAME = 100
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Exposure:
-    """An item under one event.
+    """A checked row of an inventory under one event.
 
     Parameters
     ----------
     row : dict
         What the plan's row says of it.
+    depth : float
+        Depth of the piece [m].
     ground : str
         Spec of the shaking of its building.
     storey : int
@@ -90,20 +91,11 @@ class Exposure:
     """
 
     row: dict[str, Any]
+    depth: float
     ground: str
     storey: int
     piece: str
     options: list[str]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Item:
-    """A checked row of an inventory: what the plan's rows say of it in any event, and its depth [m]."""
-
-    id: str
-    row: dict[str, Any]
-    depth: float
-    exposures: tuple[Exposure, ...]
 
 
 class ResultCache(LRUCache["Hashable", Any]):
@@ -122,7 +114,7 @@ class ResultCache(LRUCache["Hashable", Any]):
 
 
 class RowReader:
-    """Checks rows and makes items of them.
+    """Checks rows.
 
     Parameters
     ----------
@@ -140,8 +132,8 @@ class RowReader:
         self.bodies, self.rooms, self.buildings, self.grounds = (ResultCache(MOST_CACHED) for _ in range(4))
         self.roofs: dict[str, int] = {}
 
-    def item(self, row: int, cells: Mapping[str, Cell]) -> Item:
-        """Return the item of a row.
+    def exposures(self, row: int, cells: Mapping[str, Cell]) -> list[Exposure]:
+        """Return what a row says under each event.
 
         Raises
         ------
@@ -153,19 +145,17 @@ class RowReader:
             called = cells.get(name)
             if isinstance(called, str) and TOTAL_ROW.fullmatch(plain_name(called)):
                 raise refusal("total_row", name, value=shown(called))
-        count = whole_of("count", cells.get("count"), 1, 1_000_000)
-        value = number_of("value", cells.get("value"))
-        if value is not None:
-            within("value", value, 0.0, 1e15, field="value")
-        lat, lon = number_of("lat", cells.get("lat"), "°"), number_of("lon", cells.get("lon"), "°")
+        count = number_of("count", cells.get("count"))
+        count = 1 if count is None else whole_within("count", count, 1, 1_000_000, field="count")
+        value = limited("value", cells, 0.0, 1e15)
+        lat, lon = limited("lat", cells, -90.0, 90.0, "°"), limited("lon", cells, -180.0, 360.0, "°")
         if (lat is None) != (lon is None):
             name, other = ("lat", "lon") if lat is None else ("lon", "lat")
             raise refusal("missing_beside", name, other=other)
-        if lat is not None and lon is not None:
-            within("lat", lat, -90.0, 90.0, "°", "lat")
-            within("lon", lon, -180.0, 360.0, "°", "lon")
         body = self.bodies.result(_values(cells, OF_THE_BODY), partial(body_of, cells))
         costs = numbers_of("costs", cells.get("costs"))
+        about = {"row": row, "id": piece, "name": name_of(cells.get("name")), "count": count}
+        about |= {"value": value, "lat": lat, "lon": lon}
         exposures: list[Exposure] = []
         for event, station, level in self.scenarios.events_at(lat, lon):
             label, building, storey = self._building(cells, station)
@@ -176,8 +166,9 @@ class RowReader:
                 )
             possible = [n for n, name in enumerate(options) if name not in not_possible]
             names, specs = list(options), list(options.values())
-            about = {
-                "event": event.name,
+            here = {
+                **about,
+                "event": event,
                 "station": self.scenarios.all[station].name,
                 "level": None if level is None else level.level,
                 "shaking_scatter": None if level is None else level.scatter,
@@ -193,12 +184,11 @@ class RowReader:
             place = station, level, None if building is None else label
             ground = self.grounds.result(place, partial(ground_spec, station, level, building))
             moves_with = max(storey, 1)  # a basement moves as the ground does
-            exposures.append(Exposure(about, ground, moves_with, spec, [specs[n] for n in possible]))
+            held = [specs[n] for n in possible]
+            exposures.append(Exposure(here, body.width, ground, moves_with, spec, held))
         for cost in costs:
             within("costs", cost, 0.0, 1e15, field="costs")
-        about = {"row": row, "id": piece, "name": name_of(cells.get("name")), "count": count or 1}
-        about |= {"value": value, "lat": lat, "lon": lon}
-        return Item(piece, about, body.width, tuple(exposures))
+        return exposures
 
     def _room(
         self, cells: Mapping[str, Cell], body: Body, station: int
@@ -257,6 +247,12 @@ def _values(cells: Mapping[str, Cell], names: tuple[str, ...]) -> Hashable:
     return tuple(plain(name, cells.get(name)) for name in names)
 
 
+def limited(name: str, cells: Mapping[str, Cell], low: float, high: float, unit: str = "") -> float | None:
+    """Return the number in a column between limits; None where the cell is empty."""
+    value = number_of(name, cells.get(name), unit)
+    return None if value is None else within(name, value, low, high, unit, name)
+
+
 def name_of(cell: Cell) -> str | None:
     """Return what a piece is called, in one line, or None where the cell says nothing of use."""
     if cell is None or isinstance(cell, Unusable):
@@ -280,15 +276,12 @@ def body_of(cells: Mapping[str, Cell]) -> Body:
         What is missing or cannot be.
     """
     table: dict[str, Any] = {"preset": text_of("preset", cells.get("preset"))}
-    table |= {name: number_of(name, cells.get(name), unit) for name, (_, _, unit) in SIZES.items()}
+    table |= {name: limited(name, cells, *limits) for name, limits in SIZES.items()}
     if offset := numbers_of("cg_offset", cells.get("cg_offset"), "m"):
         table["cg_offset"] = list(offset)
     if load := numbers_of("load", cells.get("load"), "kg"):
         table["shelves"] = list(load)
     stated = {name: value for name, value in table.items() if value is not None}
-    for name, (low, high, unit) in SIZES.items():
-        if name in stated:
-            within(name, stated[name], low, high, unit, name)
     try:
         return PieceTable.model_validate(stated).body()
     except ValidationError:
@@ -310,14 +303,13 @@ def room_of(cells: Mapping[str, Cell], scenario: Scenario) -> Room:
         No such surface or wall, a number that cannot be, or a wall without a gap to it.
     """
     room = scenario.room.room()
-    floor, gap = plain("floor", cells.get("floor")), number_of("gap", cells.get("gap"), "m")
+    floor, gap = plain("floor", cells.get("floor")), limited("gap", cells, 0.0, 1e4, "m")
     if floor is not None:
         try:
             room = replace(room, floor=_floor(floor, room.floor))
         except InputError as error:
             raise error.about("floor") from None
     if gap is not None:
-        within("gap", gap, 0.0, 1e4, "m", "gap")
         room = replace(room, left_wall=replace(room.left_wall or Wall(0.0), gap=gap))
     wall = text_of("wall", cells.get("wall"))
     if wall is not None:

@@ -1,25 +1,22 @@
-"""The plan of an assessment on disk: checked rows, rejects with their reasons, simulation units."""
+"""The plan of an assessment: checked rows, rejects with their reasons, simulation units."""
 
 from __future__ import annotations
 
-import csv
 import sqlite3
 from collections import Counter
-from contextlib import ExitStack, closing
+from contextlib import closing
 from itertools import chain, islice
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any
 
 from stayput.catalogue import is_phrase, phrase
 from stayput.errors import InputError, excerpt, quoted
-from stayput.extras import arrow
 from stayput.inventory.cells import Unusable, is_empty
 from stayput.inventory.columns import COLUMNS, JAPANESE
-from stayput.inventory.folder import remove
-from stayput.inventory.header import header_of
+from stayput.inventory.folder import PLAN
+from stayput.inventory.header import Header
 from stayput.inventory.items import SIZES, RowReader, name_of, numbered
 from stayput.inventory.store import Store
 from stayput.inventory.tables import open_table
-from stayput.spreadsheets import CSV_ENCODING, harmless
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -28,8 +25,6 @@ if TYPE_CHECKING:
     from stayput.inventory.cells import Cell
     from stayput.inventory.columns import ColumnMapping
     from stayput.inventory.folder import Workspace
-    from stayput.inventory.header import Header
-    from stayput.inventory.items import Item
     from stayput.inventory.scenarios import Scenarios
 
 ROWS_PER_PART = 20_000
@@ -37,9 +32,6 @@ ROWS_PER_PART = 20_000
 
 REJECTED = ("row", "id", "name", "reason", "reason_ja")
 """What is told of a row that is not assessed."""
-
-REJECTS = ("rejects.parquet", "rejects.csv")
-ROWS, STORE = "rows", "plan.sqlite"
 
 ROWS_LOOKED_AT = 200
 """Rows whose numbers tell whether the header is understood."""
@@ -50,28 +42,14 @@ FIRST_ALIKE = 5
 MAY_BE_EMPTY = ("id", *SIZES, "count")
 """Columns of which it is told how many cells are empty in rows that are assessed."""
 
-COUNTED = ("rows", "empty rows", "pieces", "choices", "parts", "with coordinates", "narrower than deep")
+COUNTED = (
+    *("rows", "empty rows", "rejects", "pieces", "choices", "parts"),
+    *("with coordinates", "narrower than deep"),
+)
 """What is counted in a plan, as its facts name it."""
 
 ROWS_PER_UPDATE = 2000
 """Rows between updates of the progress bar."""
-
-
-def schema() -> Any:
-    """Return the schema of the checked rows: one for each piece and event."""
-    pa = arrow()
-    text, real, texts = pa.string(), pa.float64(), pa.list_(pa.string())
-    kinds = {"row": pa.int64(), "id": text, "name": text, "count": pa.int32()}
-    kinds |= dict.fromkeys(("value", "lat", "lon"), real) | dict.fromkeys(("event", "station"), text)
-    kinds |= {"level": real, "shaking_scatter": real, "building": text, "storey": pa.int32()}
-    kinds |= {"options": texts, "costs": pa.list_(real), "units": pa.list_(pa.int64())}
-    return pa.schema([*kinds.items(), ("not_possible", not_possible())])
-
-
-def not_possible() -> Any:
-    """Return the type of the sets of measures that cannot be put in place: their names, and why not."""
-    pa = arrow()
-    return pa.list_(pa.struct([("name", pa.string()), ("reason", pa.string()), ("reason_ja", pa.string())]))
 
 
 class Findings:
@@ -95,57 +73,6 @@ class Findings:
     def told(self) -> list[dict[str, Any]]:
         """Return the findings, that of most rows first."""
         return sorted(self.found.values(), key=lambda finding: -finding["rows"])
-
-
-class Rejects:
-    """Writes the rows that are not assessed, with their reasons."""
-
-    def __init__(self, folder: Path) -> None:
-        pa = arrow()
-        kinds = [pa.int64(), *[pa.string()] * (len(REJECTED) - 1)]
-        self.schema = pa.schema(list(zip(REJECTED, kinds, strict=True)))
-        self.files = ExitStack()
-        file = self.files.enter_context((folder / REJECTS[0]).open("wb"))
-        writer = arrow("parquet").ParquetWriter(file, self.schema, compression="zstd")
-        self.parquet: Any = self.files.enter_context(writer)
-        text = (folder / REJECTS[1]).open("w", encoding=CSV_ENCODING, newline="")
-        self.lines = csv.writer(self.files.enter_context(text))
-        self.lines.writerow(REJECTED)
-        self.buffered: list[tuple[int, str, str | None, str, str]] = []
-        self.count = 0
-        self.findings = Findings()
-
-    def add(self, row: int, piece: Cell, called: Cell, error: InputError) -> None:
-        """Add a row that is refused, with its id and what its piece is called."""
-        identifier = numbered(called, row) if is_empty(piece) else piece
-        identifier = "" if isinstance(identifier, Unusable) else str(identifier)[:200]
-        line = row, identifier, name_of(called), error.told("en"), error.told("ja")
-        self.buffered.append(line)
-        self.count += 1
-        self.findings.add(line, error.code, error.field)
-        if len(self.buffered) >= ROWS_PER_PART:
-            self.flush()
-
-    def flush(self) -> None:
-        """Write the rows that are buffered."""
-        if not self.buffered:
-            return
-        named = [dict(zip(REJECTED, line, strict=True)) for line in self.buffered]
-        self.parquet.write_table(arrow().Table.from_pylist(named, schema=self.schema))
-        self.lines.writerows(
-            (row, harmless(" ".join(piece.split())), *map(harmless, texts))
-            for row, piece, *texts in self.buffered
-        )
-        self.buffered.clear()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
-        """Write the rest, unless it is given up; close the files in any case."""
-        with self.files:
-            if kind is None:
-                self.flush()
 
 
 def make_plan(
@@ -184,145 +111,116 @@ def make_plan(
     InputError
         A table that cannot be read, a wrong header, or no row.
     """
-    place = space.folder / "plan"
-    facts = _facts(place)
+    path = space.folder / PLAN
+    facts = _facts(path)
     if facts is None:
-        if place.exists():
-            remove(place)
-        draft = space.draft()
-        try:
-            (draft / ROWS).mkdir(parents=True)
-            _fill(draft, inventory, scenarios, cache, advance, columns)
+        with space.draft(path) as draft:
+            facts = _fill(draft, inventory, scenarios, cache, advance, columns)
             check_unchanged()
-            space.publish(draft, place)
-        finally:
-            if draft.exists():
-                remove(draft)
-        facts = _facts(place)
-        assert facts is not None
     return facts
 
 
-def _facts(place: Path) -> dict[str, Any] | None:
-    """Return the facts of a plan; None where there is none, or one of its files has not its size."""
-    if not (place / STORE).is_file():
+def _facts(path: Path) -> dict[str, Any] | None:
+    """Return the facts of a plan; None where there is none, or a damaged one."""
+    if not path.exists():
         return None
     try:
-        with closing(Store(place / STORE)) as store:
-            facts = store.facts()
+        with closing(Store(path)) as store:
+            return store.facts()
     except sqlite3.DatabaseError:
         return None
-    return facts if facts.pop("sizes", None) == _sizes(place) else None
-
-
-def _sizes(place: Path) -> dict[str, int]:
-    """Return the sizes of the files of a plan but its data base."""
-    files = (path for path in sorted(place.rglob("*")) if path.is_file() and not path.match(f"{STORE}*"))
-    return {path.relative_to(place).as_posix(): path.stat().st_size for path in files}
 
 
 def _fill(
-    folder: Path,
+    path: Path,
     inventory: Path,
     scenarios: Scenarios,
     cache: int,
     advance: Callable[[int], None],
     columns: ColumnMapping | None,
-) -> None:
-    reader, impossible = RowReader(scenarios), Findings()
-    counts = Counter[str]()
-    left_empty = Counter[str]()
+) -> dict[str, Any]:
+    reader, impossible, rejects = RowReader(scenarios), Findings(), Findings()
+    counts, left_empty = Counter[str](), Counter[str]()
     buffered: list[dict[str, Any]] = []
 
     def flush() -> None:
         if buffered:
-            table = arrow().Table.from_pylist(buffered, schema=schema())
-            path = folder / ROWS / f"part-{counts['parts']:06d}.parquet"
-            arrow("parquet").write_table(table, path, compression="zstd")
+            store.add_part(buffered)
             counts["parts"] += 1
             buffered.clear()
 
-    with closing(Store(folder / STORE, cache)) as store:
+    with closing(Store(path, cache)) as store, open_table(inventory) as table:
         store.begin()
-        with Rejects(folder) as rejects, open_table(inventory) as table:
-            first = list(islice(table.rows, ROWS_LOOKED_AT))
-            sample = [[] if isinstance(cells, InputError) else cells for _, cells in first]
-            header = header_of(table.header, sample, columns, table.decimal_comma)
-            for number, cells in chain(first, table.rows):
-                counts["rows"] += 1
-                if counts["rows"] % ROWS_PER_UPDATE == 0:
-                    advance(ROWS_PER_UPDATE)
-                if not isinstance(cells, InputError) and all(map(is_empty, cells)):
-                    counts["empty rows"] += 1
-                    continue
-                item = _checked(number, cells, header, reader, store, rejects)
-                if item is None or isinstance(cells, InputError):
-                    continue
-                units = [
-                    store.units_of(each.ground, each.storey, each.piece, each.options)
-                    for each in item.exposures
-                ]
-                not_put = chain.from_iterable(each.row["not_possible"] for each in item.exposures)
-                for named in {each["name"]: each for each in not_put}.values():
-                    cause = (item.row["row"], item.id, item.row["name"], named["reason"], named["reason_ja"])
-                    impossible.add(cause, named["name"])
-                width = header.width_of(cells)
-                counts["choices"] += sum(map(len, units))
-                counts["pieces"] += 1
-                counts["with coordinates"] += item.row["lat"] is not None
-                counts["narrower than deep"] += width is not None and 0.0 < width < item.depth
-                places = ((name, header.places.get(name)) for name in MAY_BE_EMPTY)
-                left_empty.update(n for n, place in places if place is not None and is_empty(cells[place]))
-                buffered += [
-                    {**item.row, **each.row, "units": numbers}
-                    for each, numbers in zip(item.exposures, units, strict=True)
-                ]
-                if counts["pieces"] % ROWS_PER_PART == 0:
-                    flush()
-            flush()
+        first = list(islice(table.rows, ROWS_LOOKED_AT))
+        sample = [[] if isinstance(cells, InputError) else cells for _, cells in first]
+        header = Header(table.header, sample, columns, table.decimal_comma)
+        for number, cells in chain(first, table.rows):
+            counts["rows"] += 1
+            if counts["rows"] % ROWS_PER_UPDATE == 0:
+                advance(ROWS_PER_UPDATE)
+            if not isinstance(cells, InputError) and all(map(is_empty, cells)):
+                counts["empty rows"] += 1
+                continue
+            try:
+                if isinstance(cells, InputError):
+                    raise cells
+                exposures = reader.exposures(number, header.cells(cells))
+                piece, depth = exposures[0].row, exposures[0].depth
+                before = store.row_of(piece["id"], number)
+                if before != number:
+                    raise InputError(
+                        "inventory.id_twice", "id", name="id", id=quoted(piece["id"]), row=before
+                    )
+            except InputError as error:
+                counts["rejects"] += 1
+                line = _rejected(number, cells, _in_words_of_the_table(error, header), header)
+                store.reject(line)
+                rejects.add(line, error.code, error.field)
+                continue
+            for each in exposures:
+                units = store.units_of(each.ground, each.storey, each.piece, each.options)
+                counts["choices"] += len(units)
+                buffered.append({**each.row, "units": units})
+            not_put = chain.from_iterable(each.row["not_possible"] for each in exposures)
+            for named in {each["name"]: each for each in not_put}.values():
+                cause = (number, piece["id"], piece["name"], named["reason"], named["reason_ja"])
+                impossible.add(cause, named["name"])
+            width = header.width_of(cells)
+            counts["pieces"] += 1
+            counts["with coordinates"] += piece["lat"] is not None
+            counts["narrower than deep"] += width is not None and 0.0 < width < depth
+            places = ((name, header.places.get(name)) for name in MAY_BE_EMPTY)
+            left_empty.update(n for n, place in places if place is not None and is_empty(cells[place]))
+            if counts["pieces"] % ROWS_PER_PART == 0:
+                flush()
+        flush()
         if counts["rows"] == counts["empty rows"]:
             raise InputError("inventory.no_rows", "inventory", path=repr(str(inventory)))
         store.finish(
             {
                 **{name: counts[name] for name in COUNTED},
-                "sizes": _sizes(folder),
                 "empty cells": {header.called.get(name, name): left_empty[name] for name in left_empty},
-                "rejects": rejects.count,
-                "rejects alike": rejects.findings.told(),
+                "rejects alike": rejects.told(),
                 "measures not possible": impossible.told(),
                 "units": store.next_unit,
                 "read as": table.read_as,
-                "columns not used": list(header.unused),
-                "columns renamed": list(header.renamed),
+                "columns not used": header.unused,
+                "columns renamed": header.renamed,
                 "roofs": reader.roofs,
             }
         )
+        return store.facts()
 
 
-def _checked(
-    number: int,
-    cells: list[Cell] | InputError,
-    header: Header,
-    reader: RowReader,
-    store: Store,
-    rejects: Rejects,
-) -> Item | None:
-    """Return the item of a row, or None where it is refused: it is then among the rejects."""
-    name: Cell = None
-    called: Cell = None
-    try:
-        if isinstance(cells, InputError):
-            raise cells
-        known = dict(enumerate(cells))
-        name, called = (known.get(header.places.get(column, -1)) for column in ("id", "name"))
-        piece = reader.item(number, header.cells(cells))
-        first = store.row_of(piece.id, number)
-        if first != number:
-            raise InputError("inventory.id_twice", "id", name="id", id=quoted(piece.id), row=first)
-    except InputError as error:
-        rejects.add(number, name, called, _in_words_of_the_table(error, header))
-        return None
-    return piece
+def _rejected(
+    number: int, cells: list[Cell] | InputError, error: InputError, header: Header
+) -> tuple[int, str, str | None, str, str]:
+    """Return what is told of a row that is refused, by the names of `REJECTED`."""
+    known = {} if isinstance(cells, InputError) else dict(enumerate(cells))
+    piece, called = (known.get(header.places.get(column, -1)) for column in ("id", "name"))
+    identifier = numbered(called, number) if is_empty(piece) else piece
+    identifier = "" if isinstance(identifier, Unusable) else str(identifier)[:200]
+    return number, identifier, name_of(called), error.told("en"), error.told("ja")
 
 
 def _in_words_of_the_table(error: InputError, header: Header) -> InputError:

@@ -19,8 +19,6 @@ from stayput.fragility.paired import score_interval
 from stayput.fragility.probabilities import CONFIDENCE, probability_of_counts
 from stayput.inventory.folder import digest_of
 from stayput.inventory.items import NO_MEASURE
-from stayput.inventory.plan import ROWS, not_possible
-from stayput.inventory.store import ESTIMATE, HIGH, LOW, MEAN, MEDIAN, P90
 from stayput.montecarlo.counting import EVENTS, OVERTURNED, RANKING_ORDER, SLID, severity
 from stayput.verification.words import SAFE, SMALL
 
@@ -32,16 +30,24 @@ if TYPE_CHECKING:
 
     from stayput.fragility import Difference
     from stayput.inventory.folder import Workspace
-    from stayput.inventory.store import OutcomeStore
+    from stayput.inventory.store import OutcomeStore, Store
 
 PIECES = "pieces"
 GROUND = ("intensity", "sa", "pga", "pgv")
 """How strongly the ground shakes."""
 
-_ENDS = (("", "probability:"), ("_low", "95 % interval from:"), ("_high", "95 % interval to:"))
+ENDS = ("", "_low", "_high")
+"""An estimate, and the ends of its interval."""
 
 OUT = "contents_out_share"
 """Share of the contents that come out."""
+
+_NUMBERS = (
+    *(f"{event}{end}" for event in EVENTS for end in ENDS),
+    *("slide_median", "slide_p90", "slide_mean"),
+    *(f"{OUT}{end}" for end in ENDS),
+)
+"""Columns of the numbers in a record."""
 
 
 class Finding(StrEnum):
@@ -71,14 +77,14 @@ def schema(metadata: Mapping[str, str]) -> Any:
 
     def chances(of: str) -> list[Any]:
         return [
-            number(f"{event}{end}", f"{about} {event.replace('_', ' ')}{of}")
+            field
             for event in EVENTS
-            for end, about in _ENDS
+            for field in interval(event, "probability", f": {event.replace('_', ' ')}{of}")
         ]
 
-    def interval(name: str, about: str) -> list[Any]:
-        ends = {"": about, "_low": "95 % interval from", "_high": "95 % interval to"}
-        return [number(f"{name}{end}", meaning) for end, meaning in ends.items()]
+    def interval(name: str, about: str, of: str = "") -> list[Any]:
+        meanings = zip(ENDS, (about, "95 % interval from", "95 % interval to"), strict=True)
+        return [number(f"{name}{end}", f"{meaning}{of}") for end, meaning in meanings]
 
     slides = [
         number("slide_median", "median of the peak slide [m], infinite where so many overturn"),
@@ -151,7 +157,9 @@ def schema(metadata: Mapping[str, str]) -> Any:
         number("best_by_cost_gain", "loss avoided less cost (with a value), or risk reduction per cost"),
         pa.field("options", pa.list_(option), metadata={"about": "each set of measures, none first"}),
         number(
-            "not_possible", "sets of measures that cannot be put in place, with the reason", not_possible()
+            "not_possible",
+            "sets of measures that cannot be put in place, with the reason",
+            pa.list_(pa.struct([(name, pa.string()) for name in ("name", "reason", "reason_ja")])),
         ),
     ]
     return pa.schema(fields, metadata=dict(metadata))
@@ -202,7 +210,7 @@ def choose(
     value : float, optional
         Loss if a piece overturns.
     """
-    shares = records["chances"][:, :, ESTIMATE]
+    shares = records["chances"][:, :, 0]
     beyond = np.fmax(shares, shares[:, [EVENTS.index(OVERTURNED)]])
     ranks = [
         severity({e: SimpleNamespace(estimate=p) for e, p in zip(EVENTS, row, strict=True)}, size)  # type: ignore[dict-item]
@@ -259,113 +267,108 @@ def part_names(parts: int) -> list[str]:
     return [f"part-{number:06d}.parquet" for number in range(parts)]
 
 
-class Writer:
-    """Writes the parts of the results.
+def write_results(
+    folder: Path,
+    space: Workspace,
+    store: Store,
+    outcomes: OutcomeStore,
+    metadata: Mapping[str, str],
+    strengths: Callable[[str, float | None], dict[str, float | None]],
+    advance: Callable[[int], None],
+) -> None:
+    """Write the parts of the results that are not complete yet.
 
     Parameters
     ----------
     folder : Path
-        Where results go.
+        Where they go.
     space : Workspace
-        Where the plan is.
+        Makes their files.
+    store : Store
+        The plan.
     outcomes : OutcomeStore
         Outcomes of all units.
     metadata : mapping
         Metadata of every part.
     strengths : callable
         The numbers of `GROUND` of a scenario and a level from a map.
+    advance : callable
+        Called with the number of rows that are complete.
     """
+    pa, columns = arrow(), schema(metadata)
+    folder.mkdir(exist_ok=True)
+    for number, name in enumerate(part_names(store.facts()["parts"])):
+        rows, digest = outcomes.part(name) or (0, None)
+        if not (folder / name).exists() or digest_of(folder / name) != digest:
+            table = pa.Table.from_pylist(_lines(store.part(number), outcomes, strengths), schema=columns)
+            buffer = io.BytesIO()
+            arrow("parquet").write_table(table, buffer, compression="zstd", row_group_size=20_000)
+            with space.durable(folder / name) as file:
+                file.write(buffer.getvalue())
+            rows = table.num_rows
+            outcomes.complete(name, rows, hashlib.sha256(buffer.getvalue()).hexdigest())
+        advance(rows)
 
-    def __init__(
-        self,
-        folder: Path,
-        space: Workspace,
-        outcomes: OutcomeStore,
-        metadata: Mapping[str, str],
-        strengths: Callable[[str, float | None], tuple[float | None, ...]],
-    ) -> None:
-        self.folder, self.space, self.outcomes = folder / PIECES, space, outcomes
-        self.schema = schema(metadata)
-        self.strengths = strengths
-        self.folder.mkdir(exist_ok=True)
 
-    def write(self, parts: int, advance: Callable[[int], None]) -> None:
-        """Write all parts that are not complete yet."""
-        for name in part_names(parts):
-            advance(self._part(name))
+def _lines(
+    rows: list[dict[str, Any]],
+    outcomes: OutcomeStore,
+    strengths: Callable[[str, float | None], dict[str, float | None]],
+) -> list[dict[str, Any]]:
+    """Return the rows of a part of the results from those of the plan."""
+    wanted = np.unique(np.concatenate([row["units"] for row in rows]).astype(np.int64))
+    records = outcomes.of(wanted)
+    chosen: dict[Any, tuple[Choice, list[dict[str, Any]]]] = {}
+    lines: list[dict[str, Any]] = []
+    for row in rows:
+        key = (tuple(row["units"]), tuple(row["options"]), tuple(row["costs"] or ()), row["value"])
+        if key not in chosen:
+            option_records = records[np.searchsorted(wanted, row["units"])]
+            sizes = [0 if name == NO_MEASURE else 1 + name.count("+") for name in row["options"]]
+            choice = choose(option_records, sizes, row["costs"], row["value"])
+            chosen[key] = choice, [numbers_of(record) for record in option_records]
+        lines.append({**_line(row, *chosen[key]), **strengths(row["station"], row["level"])})
+    return lines
 
-    def _part(self, name: str) -> int:
-        target = self.folder / name
-        rows, digest = self.outcomes.part(name) or (0, None)
-        if target.exists() and digest_of(target) == digest:
-            return rows
-        table = self._table(self.space.folder / "plan" / ROWS / name)
-        buffer = io.BytesIO()
-        arrow("parquet").write_table(table, buffer, compression="zstd", row_group_size=20_000)
-        content = buffer.getvalue()
-        with self.space.durable(target) as file:
-            file.write(content)
-        self.outcomes.complete(name, table.num_rows, hashlib.sha256(content).hexdigest())
-        return table.num_rows
 
-    def _table(self, path: Path) -> Any:
-        rows: list[dict[str, Any]] = arrow("parquet").read_table(path).to_pylist()
-        wanted = np.unique(np.concatenate([row["units"] for row in rows]).astype(np.int64))
-        records = self.outcomes.of(wanted)
-        chosen: dict[Any, tuple[Choice, list[dict[str, Any]]]] = {}
-        lines: list[dict[str, Any]] = []
-        for row in rows:
-            key = (tuple(row["units"]), tuple(row["options"]), tuple(row["costs"] or ()), row["value"])
-            if key not in chosen:
-                option_records = records[np.searchsorted(wanted, row["units"])]
-                sizes = [0 if name == NO_MEASURE else 1 + name.count("+") for name in row["options"]]
-                choice = choose(option_records, sizes, row["costs"], row["value"])
-                chosen[key] = choice, [numbers_of(record) for record in option_records]
-            lines.append(self._line(row, *chosen[key]))
-        return arrow().Table.from_pylist(lines, schema=self.schema)
+def _line(row: dict[str, Any], choice: Choice, numbers: list[dict[str, Any]]) -> dict[str, Any]:
+    count, value = row["count"], row["value"]
 
-    def _line(self, row: dict[str, Any], choice: Choice, numbers: list[dict[str, Any]]) -> dict[str, Any]:
-        count, value, costs = row["count"], row["value"], row["costs"]
+    def loss(option: dict[str, Any]) -> float | None:
+        return None if value is None else count * value * option[OVERTURNED]
 
-        def loss(option: dict[str, Any]) -> float | None:
-            return None if value is None else count * value * option[OVERTURNED]
-
-        without, best = numbers[0], numbers[choice.best]
-        copied = [name for name in self.schema.names if name in row and name != "options"]
-        line = {**without, **{name: row[name] for name in copied}}
-        line |= dict(zip(GROUND, self.strengths(row["station"], row["level"]), strict=True))
-        line["expected_loss"], line["best_expected_loss"] = loss(without), loss(best)
-        line["best"] = row["options"][choice.best]
-        for end in ("", "_low", "_high"):
-            line[f"best_overturned{end}"] = best[f"{OVERTURNED}{end}"]
-            line[f"best_change{end}"] = getattr(choice.change, end.lstrip("_") or "estimate", None)
-        line["best_lessens"], line["finding"] = choice.event, finding_of({**row, **without}, choice)
-        line[f"best_{OUT}"] = best[OUT]
-        line["risk_reduction"] = without[OVERTURNED] - best[OVERTURNED]
-        line["best_by_cost"] = None if choice.by_cost is None else row["options"][choice.by_cost]
-        line["best_by_cost_gain"] = choice.gain
-        line["options"] = [
-            {
-                **option,
-                "name": name,
-                "cost": None if costs is None else (costs[n - 1] if n else 0.0),
-                "expected_loss": loss(option),
-            }
-            for n, (name, option) in enumerate(zip(row["options"], numbers, strict=True))
-        ]
-        return line
+    without, best, change = numbers[0], numbers[choice.best], choice.change
+    costs = [None] * len(numbers) if row["costs"] is None else [0.0, *row["costs"]]
+    options = [
+        {**option, "name": name, "cost": cost, "expected_loss": loss(option)}
+        for name, option, cost in zip(row["options"], numbers, costs, strict=True)
+    ]
+    return {
+        **row,
+        **without,
+        "expected_loss": loss(without),
+        "best_expected_loss": loss(best),
+        "best": row["options"][choice.best],
+        **{f"best_{OVERTURNED}{end}": best[f"{OVERTURNED}{end}"] for end in ENDS},
+        **{f"best_change{end}": getattr(change, end.lstrip("_") or "estimate", None) for end in ENDS},
+        "best_lessens": choice.event,
+        "finding": finding_of({**row, **without}, choice),
+        f"best_{OUT}": best[OUT],
+        "risk_reduction": without[OVERTURNED] - best[OVERTURNED],
+        "best_by_cost": None if choice.by_cost is None else row["options"][choice.by_cost],
+        "best_by_cost_gain": choice.gain,
+        "options": options,
+    }
 
 
 def numbers_of(record: np.void) -> dict[str, Any]:
     """Return the numbers of an option by their columns."""
-    numbers: dict[str, Any] = {
+    out = [None] * 3 if np.isnan(record["out"][0]) else record["out"].tolist()
+    return {
         "motions": int(record["motions"]),
         "runs": int(record["runs"]),
         "given_up": int(record["missing"]),
+        **dict(
+            zip(_NUMBERS, [*record["chances"].ravel().tolist(), *record["slide"].tolist(), *out], strict=True)
+        ),
     }
-    for event, row in zip(EVENTS, record["chances"].tolist(), strict=True):
-        numbers |= {event: row[ESTIMATE], f"{event}_low": row[LOW], f"{event}_high": row[HIGH]}
-    slide = record["slide"].tolist()
-    numbers |= {"slide_median": slide[MEDIAN], "slide_p90": slide[P90], "slide_mean": slide[MEAN]}
-    out = [None] * 3 if np.isnan(record["out"][ESTIMATE]) else record["out"].tolist()
-    return numbers | {OUT: out[ESTIMATE], f"{OUT}_low": out[LOW], f"{OUT}_high": out[HIGH]}

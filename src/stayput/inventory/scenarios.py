@@ -96,32 +96,22 @@ class ScenarioFile:
         return digest.hexdigest()
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Earthquake:
-    """One earthquake: a scenario for all pieces, or the stations of which each piece takes the nearest.
+@dataclass(frozen=True, eq=False)
+class Scenarios:
+    """All scenarios of an assessment.
 
     Parameters
     ----------
-    name : str
-        What it is called.
-    stations : tuple of int
-        Places of its scenarios among all.
-    lats, lons : tuple of float
-        Where they are; empty for one that holds everywhere.
+    all : tuple of ScenarioFile
+        The scenarios.
+    events : dict of str to list of int
+        For each earthquake the place of its scenario among all, or of those of its stations.
+    shakemap : ShakeMap, optional
+        What says how strongly the ground shakes.
     """
 
-    name: str
-    stations: tuple[int, ...]
-    lats: tuple[float, ...] = ()
-    lons: tuple[float, ...] = ()
-
-
-@dataclass(frozen=True, eq=False)
-class Scenarios:
-    """All scenarios of an assessment."""
-
     all: tuple[ScenarioFile, ...]
-    events: tuple[Earthquake, ...]
+    events: dict[str, list[int]]
     shakemap: ShakeMap | None = None
 
     @cached_property
@@ -145,31 +135,29 @@ class Scenarios:
         """Intensity measure of the ground's levels: the map's, else JMA's intensity."""
         return JMA_INTENSITY if self.shakemap is None else self.shakemap.measure
 
-    @property
-    def needs_places(self) -> bool:
-        """Whether each piece needs a latitude and a longitude."""
-        return self.shakemap is not None or any(event.lats for event in self.events)
-
-    def events_at(
-        self, lat: float | None, lon: float | None
-    ) -> list[tuple[Earthquake, int, GroundLevel | None]]:
+    def events_at(self, lat: float | None, lon: float | None) -> list[tuple[str, int, GroundLevel | None]]:
         """Return the events at a place: each with its scenario there, and a level from a map.
+
+        Where there are stations each piece takes the nearest.
 
         Raises
         ------
         InputError
             The place is missing, or lies outside the map.
         """
-        if not self.needs_places:
-            return [(event, event.stations[0], None) for event in self.events]
+        located = self.all[0].station is not None  # then all are
+        if not located and self.shakemap is None:
+            return [(event, places[0], None) for event, places in self.events.items()]
         if lat is None or lon is None:
             name = "lat" if lat is None else "lon"
             raise InputError("inventory.place_missing", name, name=name)
         level = None if self.shakemap is None else self.shakemap.at(lat, lon)
-        here: list[tuple[Earthquake, int, GroundLevel | None]] = []
-        for event in self.events:
-            near = int(distances(lat, lon, event.lats, event.lons).argmin()) if event.lats else 0
-            here.append((event, event.stations[near], level))
+        here: list[tuple[str, int, GroundLevel | None]] = []
+        for event, places in self.events.items():
+            stations = [station for place in places if (station := self.all[place].station) is not None]
+            lats, lons = [station.lat for station in stations], [station.lon for station in stations]
+            near = int(distances(lat, lon, lats, lons).argmin()) if stations else 0
+            here.append((event, places[near], level))
         return here
 
 
@@ -204,21 +192,11 @@ def _joined(scenarios: Sequence[ScenarioFile], folder: str, shakemap: ShakeMap |
         raise InputError("inventory.map_beside_stations", "shakemap")
     if shakemap is not None and scenarios[0].scenario.shaking.scale is not None:
         raise InputError("inventory.scale_beside_map", "shaking.scale")
-    return Scenarios(tuple(scenarios), _events(scenarios, folder), shakemap)
-
-
-def _events(scenarios: Sequence[ScenarioFile], folder: str) -> tuple[Earthquake, ...]:
-    events: list[Earthquake] = []
-    stations: dict[str, list[tuple[int, StationTable]]] = {}
+    events: dict[str, list[int]] = {}
     for place, file in enumerate(scenarios):
-        if file.station is None:
-            events.append(Earthquake(file.name, (place,)))
-        else:
-            stations.setdefault(file.station.event or folder, []).append((place, file.station))
-    for name, located in stations.items():
-        places = ((place, table.lat, table.lon) for place, table in located)
-        events.append(Earthquake(name, *zip(*places, strict=True)))
-    return tuple(events)
+        event = file.name if file.station is None else file.station.event or folder
+        events.setdefault(event, []).append(place)
+    return Scenarios(tuple(scenarios), events, shakemap)
 
 
 def read_scenario_file(file: Path, changed: Changed | None = None) -> ScenarioFile:

@@ -262,12 +262,10 @@ def _field(name: str, kind: str, unit: str, period: float = 0.0) -> MapField:
             factor = unit_factor("%g" if unit.strip() == "%" else unit)
     except (InputError, KeyError):
         raise InputError("inventory_tables.map_unit", column=repr(name), known=known) from None
-    if kind == "pgv":
-        return MapField(name, PGV, factor, 1e-6 / factor, 10.0 / factor, unit)
-    if kind == "pga":
-        return MapField(name, PGA, factor, 1e-5 / factor, 100.0 / factor, unit)
-    low, high = PERIODS
-    if not low <= period <= high:
-        raise InputError("inventory.period", column=repr(name), period=period, low=low, high=high)
-    factor /= STANDARD_GRAVITY
-    return MapField(name, spectral_acceleration(period), factor, 1e-6 / factor, 10.0 / factor, unit)
+    measure, low, high = (PGA, 1e-5, 100.0) if kind == "pga" else (PGV, 1e-6, 10.0)
+    if kind == "sa":
+        first, last = PERIODS
+        if not first <= period <= last:
+            raise InputError("inventory.period", column=repr(name), period=period, low=first, high=last)
+        measure, factor = spectral_acceleration(period), factor / STANDARD_GRAVITY
+    return MapField(name, measure, factor, low / factor, high / factor, unit)

@@ -13,8 +13,9 @@ from xml.etree import ElementTree
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, quoted, reason_of, warn, within
+from stayput.errors import InputError, InputWarning, quoted, warn, within
 from stayput.inventory.columns import header_name
+from stayput.inventory.folder import unreadable
 from stayput.inventory.shakemap import ShakeMap, field_of, field_of_grid, unwrapped
 
 if TYPE_CHECKING:
@@ -88,10 +89,7 @@ def read_shakemap(path: Path, field: str | None = None, uncertainty: Path | None
             raise InputError("inventory_tables.uncertainty_of_csv", "uncertainty")
         return _of_csv(path, field)
     except OSError as error:
-        reason = reason_of(error)
-        file = phrase("inventory.input_shake_map")
-        shown = repr(str(error.filename or path))
-        raise InputError("inventory.unreadable", file=file, path=shown, reason=reason) from None
+        raise unreadable("shake map", error.filename or path, error) from None
 
 
 def _of_grid(path: Path, wanted: str | None, uncertainty: Path | None) -> ShakeMap:

@@ -1,4 +1,4 @@
-"""What an assessment keeps in SQLite: the simulation units of its plan, each once, and their outcomes.
+"""What an assessment keeps in SQLite: its plan (checked rows, rejects, units to simulate), and the outcomes.
 
 A unit is a body with its contents in a room, with a set of measures, at a site (a storey under a shaking of
 the ground). Each of these is identified by a spec: a text that keeps every bit of its numbers. The outcomes
@@ -10,6 +10,7 @@ from __future__ import annotations
 import hashlib
 import json
 import sqlite3
+import zlib
 from contextlib import closing
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
@@ -46,13 +47,10 @@ CREATE TABLE sites (id INTEGER PRIMARY KEY, ground TEXT NOT NULL, storey INTEGER
 CREATE TABLE units (site INTEGER, option INTEGER, thing INTEGER, id INTEGER NOT NULL,
                     PRIMARY KEY (site, option, thing)) WITHOUT ROWID;
 CREATE TABLE ids (id TEXT PRIMARY KEY, row INTEGER NOT NULL) WITHOUT ROWID;
+CREATE TABLE rejects (row INTEGER, id TEXT, name TEXT, reason TEXT, reason_ja TEXT);
+CREATE TABLE parts (number INTEGER PRIMARY KEY, rows BLOB NOT NULL);
 CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 """
-
-
-ESTIMATE, LOW, HIGH = range(3)
-MEDIAN, P90, MEAN = range(3)
-"""Places of the numbers in a record."""
 
 
 class Store:
@@ -81,12 +79,11 @@ class Store:
         self.base.execute("BEGIN")
 
     def finish(self, facts: dict[str, Any]) -> None:
-        """Write the facts of the plan, and close it."""
+        """Write the facts of the plan: it is complete."""
         self.base.executemany(
             "INSERT INTO facts VALUES (?, ?)", [(name, json.dumps(value)) for name, value in facts.items()]
         )
         self.base.execute("COMMIT")
-        self.base.close()
 
     def close(self) -> None:
         """Close the file."""
@@ -130,14 +127,32 @@ class Store:
         cached = table, *key.values()
         if cached not in self.numbers:
             columns, values = (*key, *others), (*key.values(), *others.values())
-            marks = ", ".join("?" * len(columns))
-            self.base.execute(
-                f"INSERT OR IGNORE INTO {table} ({', '.join(columns)}) VALUES ({marks})", values
+            marks, first = ", ".join("?" * len(columns)), columns[0]
+            (row,) = self.base.execute(
+                f"INSERT INTO {table} ({', '.join(columns)}) VALUES ({marks}) "
+                f"ON CONFLICT ({', '.join(key)}) DO UPDATE SET {first} = {first} RETURNING id",
+                values,
             )
-            where = " AND ".join(f"{column} = ?" for column in key)
-            row = self.base.execute(f"SELECT id FROM {table} WHERE {where}", tuple(key.values())).fetchone()
-            self.numbers[cached] = int(row[0])
+            self.numbers[cached] = row[0]
         return self.numbers[cached]
+
+    def add_part(self, rows: list[dict[str, Any]]) -> None:
+        """Add the checked rows of a part of the results: one for each piece and event."""
+        self.base.execute("INSERT INTO parts (rows) VALUES (?)", (zlib.compress(json.dumps(rows).encode()),))
+
+    def part(self, number: int) -> list[dict[str, Any]]:
+        """Return the checked rows of a part, the first being 0."""
+        (rows,) = self.base.execute("SELECT rows FROM parts WHERE number = ?", (number + 1,)).fetchone()
+        return json.loads(zlib.decompress(rows))
+
+    def reject(self, line: tuple[int, str, str | None, str, str]) -> None:
+        """Add a row that is not assessed: its number, id, name, and the reason in both languages."""
+        self.base.execute("INSERT INTO rejects VALUES (?, ?, ?, ?, ?)", line)
+
+    def rejects(self) -> Iterator[tuple[int, str, str | None, str, str]]:
+        """Yield the rows that are not assessed."""
+        with closing(self.base.cursor()) as cursor:
+            yield from cursor.execute("SELECT * FROM rejects ORDER BY rowid")
 
     def grounds(self) -> list[tuple[str, list[tuple[int, int]]]]:
         """Return the shakings of the ground, each with its sites: their numbers and storeys."""
@@ -267,11 +282,14 @@ class OutcomeStore:
         """Close the file."""
         self._base.close()
 
-    def save(self, records: NDArray[np.void]) -> None:
-        """Save the outcomes of units that have none yet."""
-        with self._base:  # a transaction
-            rows = ((int(record["unit"]), record.tobytes()) for record in records)
-            self._base.executemany("INSERT INTO outcomes VALUES (?, ?)", rows)
+    def add(self, records: NDArray[np.void]) -> None:
+        """Add the outcomes of units that have none yet; they are kept once `commit` is called."""
+        rows = ((int(record["unit"]), record.tobytes()) for record in records)
+        self._base.executemany("INSERT INTO outcomes VALUES (?, ?)", rows)
+
+    def commit(self) -> None:
+        """Keep what was added."""
+        self._base.commit()
 
     def of(self, units: NDArray[np.int64]) -> NDArray[np.void]:
         """Return the records of some units, in increasing order of their numbers."""

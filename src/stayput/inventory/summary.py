@@ -13,12 +13,14 @@ import json
 import math
 from collections import Counter
 from dataclasses import dataclass, field
-from typing import IO, TYPE_CHECKING, Any, cast
+from itertools import chain, islice
+from typing import TYPE_CHECKING, Any, cast
 
 from stayput.errors import unknown
 from stayput.extras import arrow
-from stayput.inventory.results import PIECES, Finding
-from stayput.spreadsheets import CSV_ENCODING, csv_text, harmless
+from stayput.inventory.plan import REJECTED, ROWS_PER_PART
+from stayput.inventory.results import ENDS, PIECES, Finding, schema
+from stayput.spreadsheets import CSV_ENCODING, harmless
 from stayput.verification.words import SAFE, SMALL
 
 if TYPE_CHECKING:
@@ -26,15 +28,14 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.inventory.folder import Workspace
+    from stayput.inventory.store import Store
 
 WORST = 50
 """Pieces that the report lists."""
 
+REJECTS = "rejects.parquet"
 FORMATS = ("csv", "geojson")
 """Formats beside Parquet, by the endings of their files."""
-
-ENDS = ("", "_low", "_high")
-"""An estimate, and the ends of its interval."""
 
 _KINDS = {"event": "string", "building": "string", "storey": "int32", "rows": "int64", "pieces": "int64"}
 """Types of the first columns of the summary; those that count pieces are whole too, all others are not."""
@@ -167,8 +168,7 @@ class Summary:
         schema = pa.schema([(name, getattr(pa, kind)()) for name, kind in kinds.items()])
         with space.durable(folder / "summary.parquet") as file:
             arrow("parquet").write_table(pa.Table.from_pylist(rows, schema=schema), file)
-        with space.durable(folder / "summary.csv") as file:
-            file.write(csv_text(named, (row.values() for row in rows)).encode(CSV_ENCODING))
+        _write_csv(folder / "summary.csv", space, named, (row.values() for row in rows))
 
 
 def summarise(folder: Path) -> Summary:
@@ -193,6 +193,22 @@ def summarise(folder: Path) -> Summary:
     return summary
 
 
+def write_rejects(folder: Path, space: Workspace, store: Store) -> None:
+    """Write the rows that were not assessed, with their reasons, as Parquet and CSV."""
+    pa = arrow()
+    schema = pa.schema([(name, pa.string() if n else pa.int64()) for n, name in enumerate(REJECTED)])
+    with (
+        space.durable(folder / REJECTS) as file,
+        arrow("parquet").ParquetWriter(file, schema, compression="zstd") as parquet,
+    ):
+        rejects = store.rejects()
+        while lines := list(islice(rejects, ROWS_PER_PART)):
+            rows = [dict(zip(REJECTED, line, strict=True)) for line in lines]
+            parquet.write_table(pa.Table.from_pylist(rows, schema=schema))
+    lines = ((row, " ".join(piece.split()), *texts) for row, piece, *texts in store.rejects())
+    _write_csv(folder / "rejects.csv", space, REJECTED, lines)
+
+
 def formats_of(export: str | Sequence[str]) -> tuple[str, ...]:
     """Return the formats of a text such as "csv,geojson", or of several, in the order of `FORMATS`.
 
@@ -211,12 +227,14 @@ def formats_of(export: str | Sequence[str]) -> tuple[str, ...]:
 
 def export_results(folder: Path, space: Workspace, formats: Sequence[str]) -> None:
     """Write the results in other formats beside their Parquet files, each atomically."""
+    names = [name for name in schema({}).names if name != "options"]
     for name in formats:
-        with space.durable(folder / f"pieces.{name}") as file:
-            text = io.TextIOWrapper(file, CSV_ENCODING if name == "csv" else "utf-8", newline="")
-            rows = ({name: _plain(value) for name, value in row.items()} for row in _rows(folder / PIECES))
-            (_write_csv if name == "csv" else _write_geojson)(text, rows)
-            text.detach()
+        path = folder / f"pieces.{name}"
+        rows = ({key: _plain(row[key]) for key in names} for row in _rows(folder / PIECES, names))
+        if name == "csv":
+            _write_csv(path, space, names, (row.values() for row in rows))
+        else:
+            _write_geojson(path, space, rows)
 
 
 def _plain(value: Any) -> str | float | int | None:
@@ -230,33 +248,31 @@ def _plain(value: Any) -> str | float | int | None:
             return value
 
 
-def _write_csv(file: IO[str], rows: Iterable[dict[str, Any]]) -> None:
-    lines = csv.writer(file)
-    for number, row in enumerate(rows):
-        if number == 0:
-            lines.writerow(row)
-        lines.writerow(map(harmless, row.values()))
+def _write_csv(path: Path, space: Workspace, names: Sequence[str], rows: Iterable[Iterable[object]]) -> None:
+    with space.durable(path) as file:
+        text = io.TextIOWrapper(file, CSV_ENCODING, newline="")
+        csv.writer(text).writerows(map(harmless, row) for row in chain([names], rows))
+        text.detach()
 
 
-def _write_geojson(file: IO[str], rows: Iterable[dict[str, Any]]) -> None:
+def _write_geojson(path: Path, space: Workspace, rows: Iterable[dict[str, Any]]) -> None:
     """Write GeoJSON (RFC 7946): a feature a line; one without a place has no geometry."""
-    file.write('{"type": "FeatureCollection", "features": [')
-    mark = "\n"
-    for row in rows:
-        lat, lon = row["lat"], row["lon"]
-        geometry = None
-        if lat is not None and lon is not None:
-            geometry = {"type": "Point", "coordinates": [lon - 360.0 if lon > 180.0 else lon, lat]}
-        feature = {"type": "Feature", "geometry": geometry, "properties": row}
-        file.write(mark + json.dumps(feature, ensure_ascii=False, allow_nan=False))
-        mark = ",\n"
-    file.write("\n]}\n")
+    with space.durable(path) as file:
+        mark = b'{"type": "FeatureCollection", "features": [\n'
+        for row in rows:
+            lat, lon = row["lat"], row["lon"]
+            geometry = None
+            if lat is not None and lon is not None:
+                geometry = {"type": "Point", "coordinates": [lon - 360.0 if lon > 180.0 else lon, lat]}
+            feature = {"type": "Feature", "geometry": geometry, "properties": row}
+            file.write(mark + json.dumps(feature, ensure_ascii=False, allow_nan=False).encode())
+            mark = b",\n"
+        file.write(b"\n]}\n")
 
 
-def _rows(folder: Path, columns: Sequence[str] = ()) -> Iterator[dict[str, Any]]:
-    """Yield rows of the results, read some at a time: some columns, or all but the sets of measures."""
+def _rows(folder: Path, columns: Sequence[str]) -> Iterator[dict[str, Any]]:
+    """Yield columns of the results row by row, read some at a time."""
     for path in sorted(folder.glob("*.parquet")):
         with arrow("parquet").ParquetFile(path) as file:
-            wanted = columns or [each.name for each in file.schema_arrow if each.name != "options"]
-            for batch in file.iter_batches(8192, columns=list(wanted)):
+            for batch in file.iter_batches(8192, columns=list(columns)):
                 yield from batch.to_pylist()

@@ -15,9 +15,10 @@ from typing import TYPE_CHECKING, Any, TextIO, cast
 from xml.etree.ElementTree import iterparse
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, absent, reason_of
+from stayput.errors import InputError, absent
 from stayput.extras import arrow
 from stayput.inventory.cells import Unusable
+from stayput.inventory.folder import unreadable
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterator
@@ -128,9 +129,7 @@ def _readable(path: Path) -> Generator[None]:
     except InputError:
         raise
     except OSError as error:
-        reason = reason_of(error)
-        file = phrase("inventory.input_inventory")
-        raise InputError("inventory.unreadable", file=file, path=repr(str(path)), reason=reason) from None
+        raise unreadable("inventory", path, error) from None
     except Exception as error:  # of a broken file libraries say this or that
         reason = " ".join(str(error).split())[:200].rstrip(" .")
         raise InputError("inventory.broken", "inventory", path=repr(str(path)), reason=reason) from error

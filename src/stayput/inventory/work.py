@@ -45,8 +45,8 @@ SECONDS = 1.0
 FIRST_GUESS = {False: 3e-4, True: 6e-3}
 """Guessed time of a run, without and with devices [s]; what was measured of all runs corrects it."""
 
-SAVE_AFTER, SAVE_UNITS = 5.0, 50_000
-"""Outcomes are saved after so many seconds or units: the most that is lost where the process is killed."""
+SAVE_AFTER = 5.0
+"""Time after which outcomes are saved [s]: the most that is lost where the process is killed."""
 
 SAMPLE_BYTES = 40
 """Bytes of a floor's motion for each sample: two components, while they are made and as they are prepared."""
@@ -63,7 +63,7 @@ _draws, _first_draws = lru_cache(maxsize=64)(draws), lru_cache(maxsize=64)(first
 
 def evaluate(
     units: Sequence[Unit], measures: str, floor: PreparedFloor, settings: Settings, kind: np.dtype[np.void]
-) -> tuple[NDArray[np.void], int, float]:
+) -> tuple[NDArray[np.void], int]:
     """Simulate units of one set of measures and one floor on this thread.
 
     Parameters
@@ -82,9 +82,8 @@ def evaluate(
     Returns
     -------
     tuple
-        Their records, the runs that were done, and the time they took [s].
+        Their records, and the runs that were done.
     """
-    began = time.perf_counter()
     option, runs = measures_of(measures), 0
     records = np.zeros(len(units), kind)
     records["unit"] = [number for number, _ in units]
@@ -93,7 +92,7 @@ def evaluate(
     for first in range(0, len(units), size):
         last = min(first + size, len(units))
         runs += _block([spec for _, spec in units[first:last]], option, floor, settings, records[first:last])
-    return records, runs, time.perf_counter() - began
+    return records, runs
 
 
 def _block(
@@ -187,10 +186,7 @@ def prepared_floors(
     factors: NDArray[np.float64],
 ) -> dict[int, PreparedFloor]:
     """Return the motions of some storeys of a building, or of the ground, whose motions have factors."""
-    ground = shared.value
-    floors, scales = ground.floors(building, storeys, factors, threads=1)
-    if building is None:  # the same motions for all
-        return dict.fromkeys(storeys, PreparedFloor.of(ground.acting, scales))
+    floors, scales = shared.value.floors(building, storeys, factors, threads=1)
     prepared = (PreparedFloor.of(motions, scales) for motions in floors)
     return dict(zip(storeys, prepared, strict=True))
 
@@ -203,11 +199,11 @@ def run_task(
     kind: np.dtype[np.void],
 ) -> TaskOutcome:
     """Simulate units of one storey, grouped by the specs of their measures, on this thread."""
-    floor = floors.value[storey]
+    floor, began = floors.value[storey], time.perf_counter()
     results = [evaluate(units, measures, floor, settings, kind) for measures, units in groups.items()]
-    records, runs, seconds = zip(*results, strict=True)
+    records, runs = zip(*results, strict=True)
     guessed = sum(n * FIRST_GUESS["{" in measures] for n, measures in zip(runs, groups, strict=True))
-    return TaskOutcome(np.concatenate(records), sum(runs), sum(seconds), guessed)
+    return TaskOutcome(np.concatenate(records), sum(runs), time.perf_counter() - began, guessed)
 
 
 class Work:
@@ -317,37 +313,24 @@ class Work:
         advance : callable
             Called with the number of units that were just done.
         """
-        unsaved: list[NDArray[np.void]] = []
         saved_at = time.monotonic()
-
-        def save() -> None:
-            nonlocal saved_at
-            if unsaved:
-                self.outcomes.save(np.concatenate(unsaved))
-                unsaved.clear()
-            saved_at = time.monotonic()
-
         try:
             with closing(self.tasks(pool.width)) as calls, closing(pool.as_completed(calls)) as outcomes:
                 for _, outcome in outcomes:
-                    self._store_outcome(outcome, unsaved, advance)
-                    late = time.monotonic() - saved_at > SAVE_AFTER
-                    if late or sum(map(len, unsaved)) >= SAVE_UNITS:
-                        save()
+                    self._store_outcome(outcome, advance)
+                    if time.monotonic() - saved_at > SAVE_AFTER:
+                        self.outcomes.commit()
+                        saved_at = time.monotonic()
         finally:
-            save()
+            self.outcomes.commit()
 
-    def _store_outcome(
-        self, outcome: TaskOutcome, unsaved: list[NDArray[np.void]], advance: Callable[[int], None]
-    ) -> None:
+    def _store_outcome(self, outcome: TaskOutcome, advance: Callable[[int], None]) -> None:
         self.runs += outcome.runs
         self.seconds += outcome.seconds
         self.guessed += outcome.guessed
-        records = outcome.records
-        fresh = records[~self.done[records["unit"]]]
+        fresh = outcome.records[~self.done[outcome.records["unit"]]]
         self.done[fresh["unit"]] = True
-        if len(fresh):
-            unsaved.append(fresh)
+        self.outcomes.add(fresh)
         advance(len(fresh))
 
 

@@ -1,7 +1,8 @@
-"""``stayput verify``: which measure keeps a piece of furniture standing, and how likely that is."""
+"""``stayput simulate`` and ``stayput verify``: what stands under one motion, and which measure holds it."""
 
 from __future__ import annotations
 
+from contextlib import ExitStack, contextmanager
 from pathlib import Path  # noqa: TC003 - Typer reads the annotations
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -9,29 +10,109 @@ import typer
 
 from stayput.catalogue import say
 from stayput.cli.flags import (
-    OF_LOCALE,
+    SCENE,
     SHAKING,
     FlagValues,
     LanguageOption,
-    QuietOption,
     ThreadsOption,
     chosen_measures,
     opened,
     takes,
     words,
 )
-from stayput.cli.messages import compiling, note, tell_written
+from stayput.cli.messages import compiling, note, plain_table, print_json, tell_written, terminal
 from stayput.cli.streams import called, check_output, is_stream, to_output, write_text
-from stayput.cli.verdicts import print_verdict
 from stayput.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Generator, Sequence
 
     from stayput.fragility import IntensityMeasure
+    from stayput.report.animation import Progress
     from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario import Scenario
     from stayput.verification import Verdict
+
+
+@takes({**SCENE, **SHAKING})
+def simulate(
+    scenario: Annotated[
+        Path | None,
+        typer.Argument(metavar="[SCENARIO.toml]", help="cli_help.example_scenario", show_default=False),
+    ] = None,
+    *,
+    said: FlagValues,
+    measure: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="TYPE|NAME", help="cli_help.measure_in_place", autocompletion=words("measures:MEASURES")
+        ),
+    ] = None,
+    json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
+    plot: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.plot_run")] = None,
+    animate: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.animate")] = None,
+    speed: Annotated[float, typer.Option(help="cli_help.speed")] = 1.0,
+    fps: Annotated[float, typer.Option(help="cli_help.fps")] = 20.0,
+    lang: LanguageOption = "",
+) -> None:
+    """Run ``stayput simulate``."""
+    from stayput.report.animation import animate_run
+    from stayput.report.plot import plot_run
+    from stayput.report.summary import rows, sentences, summary
+
+    _check_targets(plot, animate)
+    checked = opened(scenario, said, (plot, animate), of_one={"--measure": measure})
+    with compiling():
+        run = checked.run(chosen_measures(checked, measure or []))
+    sentence = say(sentences(run), lang)
+    if plot is not None:
+        plot_run(run, plot, title=sentence, language=lang)
+    if animate is not None:
+        with _progress() as progress:
+            animate_run(run, animate, fps=fps, speed=speed, language=lang, progress=progress)
+    if json:
+        print_json(summary(run))
+        return
+    console, paragraph = terminal(lang, checked.title)
+    paragraph(sentence)
+    listed = rows(run, lang)
+    shaking = checked.shaking
+    if shaking.strength is not None:
+        listed.append((say("cli.strength", lang), say(shaking.strength.about, lang)))
+    if shaking.remove_mean:
+        listed.append((say("cli.baseline", lang), say("cli.mean_removed", lang)))
+    console.print(plain_table(("", ""), listed))
+    tell_written(lang, plot, animate)
+
+
+def _check_targets(plot: Path | None, animate: Path | None) -> None:
+    if plot is not None:
+        from stayput.files import PLOT_SUFFIXES, check_target
+
+        check_target(plot, PLOT_SUFFIXES)
+    if animate is not None:
+        from stayput.files import check_animation
+
+        check_animation(animate)
+
+
+@contextmanager
+def _progress() -> Generator[Progress | None]:
+    """Yield a function that advances a bar of frames, or None where none is drawn."""
+    from stayput.progress import bar, is_drawn
+
+    if not is_drawn():
+        yield None
+        return
+    with ExitStack() as stack:
+        advance: list[Callable[[int], None]] = []
+
+        def drawn(done: int, total: int) -> None:
+            if not advance:  # the first frame: only now it is known how many there are
+                advance.append(stack.enter_context(bar(total, "progress.drawing", unit="progress.frames")))
+            advance[0](1)
+
+        yield drawn
 
 
 @takes(SHAKING)
@@ -68,10 +149,10 @@ def verify(
     slide_limit: Annotated[float | None, typer.Option(help="cli_help.slide_limit")] = None,
     every_run: Annotated[bool, typer.Option("--every-run", help="cli_help.every_run")] = False,
     threads: ThreadsOption = None,
-    lang: LanguageOption = OF_LOCALE,
-    quiet: QuietOption = False,
+    lang: LanguageOption = "",
 ) -> None:
     """Run ``stayput verify``."""
+    from stayput.cli.verdicts import print_verdict
     from stayput.errors import within
     from stayput.files import check_target
     from stayput.montecarlo.counting import SLIDE_LIMIT
@@ -118,8 +199,8 @@ def verify(
         from stayput.spreadsheets import CSV_ENCODING
 
         write_text(csv, verdict.to_csv(), CSV_ENCODING)
-    if curves is not None and isinstance(verdict, Verdict):
-        written += _write_curves(verdict, over[0], curves, lang, aside=instead or json)
+    if curves is not None and over is not None and isinstance(verdict, Verdict):
+        written += _write_curves(verdict, over, curves, lang, aside=instead or json)
     if plan is not None and isinstance(verdict, RoomVerdict):
         from stayput.rooms.planning import action_plan
 
@@ -128,8 +209,8 @@ def verify(
         tell_written(lang, *written, aside=instead)
 
 
-def _over(curves: Path | None, im: str | None) -> list[IntensityMeasure]:
-    """Return what the curves are over; nothing where none are asked for.
+def _over(curves: Path | None, im: str | None) -> IntensityMeasure | None:
+    """Return what the curves are over; none where no curves are asked for.
 
     Raises
     ------
@@ -141,12 +222,12 @@ def _over(curves: Path | None, im: str | None) -> list[IntensityMeasure]:
     if curves is None:
         if im is not None:
             raise InputError("cli.flag_without", "--im", flag="--im", other="--curves")
-        return []
+        return None
     if curves.exists() and not curves.is_dir():
         raise InputError(
             "common.folder_is_file", "--curves", folder=repr(str(curves)), path=repr(str(curves))
         )
-    return [intensity_measure(im or "JMA", "--im")]
+    return intensity_measure(im or "JMA", "--im")
 
 
 def _only(scenario: Scenario, names: list[str]) -> Scenario:
@@ -167,7 +248,7 @@ def _only(scenario: Scenario, names: list[str]) -> Scenario:
 
 def _verified(
     scenario: Scenario,
-    over: list[IntensityMeasure],
+    over: IntensityMeasure | None,
     slide_limit: float,
     every_run: bool,
     threads: int | None,
@@ -178,7 +259,7 @@ def _verified(
     with scenario.naming_file(), compiling():
         if scenario.plan is not None:
             return verify_room(scenario, slide_limit=slide_limit, threads=threads)
-        options: dict[str, Any] = {"intensity_measures": over} if over else {}
+        options: dict[str, Any] = {} if over is None else {"intensity_measures": [over]}
         return compare(scenario, slide_limit=slide_limit, every_run=every_run, threads=threads, **options)
 
 
