@@ -12,7 +12,7 @@ import stayput as sp
 BEFORE = (2.6, 0.62, 0.26, 0.06)
 """When the stills are taken, before the body lies [s]."""
 DOCS = Path(__file__).parent
-SHOWN = (0, 0, 390, 345)
+SHOWN = (0, 0, 520, 345)
 """The part of a still without the history of the floor [px]."""
 
 

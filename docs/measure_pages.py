@@ -23,7 +23,7 @@ from stayput.measures.fixing import (
 )
 from stayput.model.body import FURNITURE
 from stayput.report.animation import film_of
-from stayput.report.frames import Painter
+from stayput.report.film.frames import Painter
 
 if TYPE_CHECKING:
     from pathlib import Path

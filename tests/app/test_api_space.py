@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import base64
 import csv
 import gzip
 import io
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 import pytest
 from serving import SCENE, client_of, running
-from test_api import finished, simulated
+from test_api import finished, numbers, simulated
 
 import stayput as sp
 from stayput.app.limits import Limits
@@ -20,7 +18,6 @@ from stayput.scenario import Scenario
 
 if TYPE_CHECKING:
     import httpx
-    from numpy.typing import NDArray
 
 BELT = [{"type": "belt"}]
 LASTING = 5.0
@@ -53,10 +50,6 @@ sine = { amplitude = 4.0, frequency = 2.0, duration = 4.0 }
 """
 
 
-def numbers(text: str) -> NDArray[np.float64]:
-    return np.frombuffer(base64.b64decode(text), "<f4").astype(np.float64)
-
-
 def refused(client: httpx.Client, path: str, asked: dict[str, Any], field: str | None) -> str:
     answer = client.post(f"/api/v1/{path}", json=asked)
     assert answer.status_code == 422, answer.text
@@ -71,7 +64,7 @@ def test_a_run_in_space_is_that_of_the_scenario(client: httpx.Client) -> None:
     assert reply.headers["content-encoding"] == "gzip"
     assert len(gzip.compress(reply.content)) < 250_000  # 30 s, twice
     answer = reply.json()
-    assert answer["dimensions"] == 3
+    assert answer["engine"] == "space"
     for key, measures in (("without", ()), ("with", (sp.MEASURES["belt"](),))):
         run, told = Scenario.parse(SPACE).case(measures).run(), answer[key]
         (piece,), (body,) = told["pieces"], told["scene"]["bodies"]
@@ -141,7 +134,7 @@ def test_a_run_as_a_page_that_plays_it(client: httpx.Client, scene: dict[str, An
     assert answer.headers["content-type"] == "text/html; charset=utf-8"
     assert 'filename="run_without.html"' in answer.headers["content-disposition"]
     assert '<html lang="ja">' in answer.text
-    assert ("webgl2" in answer.text) == (scene.get("dimensions") != 2)
+    assert "webgl2" in answer.text
 
 
 def test_a_gif_that_would_take_too_long(client: httpx.Client) -> None:

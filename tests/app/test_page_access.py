@@ -143,10 +143,9 @@ def test_the_colours_are_stayputs() -> None:
         "ink": palette.INK,
         "faint": palette.FAINT,
         "room": palette.ROOM,
-        "mark": palette.ROOM_SHADE,
         "alarm": palette.ALARM,
         "record": palette.COMPONENT_COLOURS["x"],
-        **{role: colour for role, colour in palette.ROLE_COLOURS.items() if role != "broken"},
+        **palette.ROLE_COLOURS,
     }
     assert {name: light[name] for name in wanted} == wanted
     for text in (inks, style):  # chosen, and the system's

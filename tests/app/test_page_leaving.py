@@ -65,7 +65,8 @@ def test_the_page_goes_on_by_itself_when_the_server_is_back(browser: Browser, se
         with it.page.expect_response("**/simulate") as found:  # nobody clicks
             it.page.unroute("**/api/v1/**")
             it.page.route("**/api/v1/verify", lambda route: None)
-        assert found.value.json()["without"]["body"]["height_m"] == pytest.approx(1.5)
+        (body,) = found.value.json()["without"]["scene"]["bodies"]
+        assert max(z for *_, z in body["shape"]["vertices_m"]) == pytest.approx(1.5)
         it.page.wait_for_selector("#problem", state="hidden")
         assert not it.page.locator("#away").is_visible()
         assert it.page.get_attribute("#see", "data-old") == "false"

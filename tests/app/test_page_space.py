@@ -61,18 +61,20 @@ def drop(it: Opened, text: str) -> None:
 def picture(it: Opened, which: str = "without") -> np.ndarray[Any, Any]:
     it.draw()
     it.draw()
-    taken = it.page.locator(f"#space-{which}").screenshot()
+    taken = it.page.locator(f"#stage-{which}").screenshot()
     return np.asarray(Image.open(io.BytesIO(taken)).convert("RGB")).astype(int)
 
 
 def test_the_plane_is_the_default_and_space_is_chosen_kept_and_taken_back(it: Opened) -> None:
     assert it.page.locator("#engine input[value=plane]").is_checked()
-    assert it.page.locator("#space-without").is_hidden()
+    assert it.page.locator("#in-plane-note").is_visible()
+    assert it.page.get_by_label("Side", exact=True).is_checked()
     assert it.page.get_by_label("Direction in which it faces", exact=True).is_hidden()
     asked, answer = it.simulated(lambda: it.page.check("#engine input[value=space]"))
-    assert asked["scene"]["dimensions"] == answer["dimensions"] == 3
-    assert it.page.locator("#space-without").is_visible()
-    assert it.page.locator("#stage-without").is_hidden()
+    assert (asked["scene"]["dimensions"], answer["engine"]) == (3, "space")
+    assert it.page.locator("#in-plane-note").is_hidden()
+    assert it.page.get_by_label("Corner", exact=True).is_checked()
+    it.page.get_by_label("Front", exact=True).check()
     it.kept("inSpace=1", "heading=0")
     turn = it.page.get_by_label("Direction in which it faces (°)")
     asked, _ = it.simulated(lambda: turn.fill("90"))
@@ -85,8 +87,8 @@ def test_the_plane_is_the_default_and_space_is_chosen_kept_and_taken_back(it: Op
     assert it.page.locator("#engine input[value=space]").is_checked()
     asked, answer = it.simulated(lambda: it.page.check("#engine input[value=plane]"))
     assert "dimensions" not in asked["scene"]
-    assert answer["dimensions"] == 2
-    assert it.page.locator("#stage-without").is_visible()
+    assert answer["engine"] == "plane"
+    assert it.page.locator("#in-plane-note").is_visible()
     assert not any(url.endswith(".wasm") for url in it.asked)
 
 
@@ -116,7 +118,7 @@ def test_the_pictures_follow_the_slider_the_views_and_the_keys(webgl: Browser, s
         it.page.get_by_label("Top", exact=True).check()
         assert differ(picture(it), later) > 0.02
         assert differ(picture(it, "with"), beside) > 0.02  # both are seen from one side
-        it.page.locator("#space-without").focus()
+        it.page.locator("#stage-without").focus()
         above = picture(it)
         it.page.keyboard.press("ArrowDown")
         assert differ(picture(it), above) > 0.01
@@ -131,8 +133,8 @@ def test_a_picture_without_webgl_is_flat_and_led_by_the_wheel(browser: Browser, 
     with opened(browser, server, LINK + "&contents=books&doors=none") as it:
         assert "has no WebGL 2" in it.text("#flat")
         assert coloured(picture(it))[0] > 0.02
-        it.page.locator("#space-without").scroll_into_view_if_needed()
-        box = it.box("#space-without")
+        it.page.locator("#stage-without").scroll_into_view_if_needed()
+        box = it.box("#stage-without")
         it.page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
         seen, before = picture(it), it.page.evaluate("() => scrollY")
         it.page.mouse.wheel(0, 60)
@@ -159,7 +161,7 @@ def test_a_picture_without_webgl_is_flat_and_led_by_the_wheel(browser: Browser, 
         assert asked["scene"]["contents"] == {"kind": "dishes", "doors": "none"}
         asked, _ = it.simulated(lambda: it.page.check("#engine input[value=plane]"))
         assert asked["scene"]["contents"] == {"kind": "dishes", "doors": "none"}
-        assert it.page.locator("#flat").is_hidden()
+        assert it.page.locator("#flat").is_visible()  # the plane is drawn in space too
 
 
 def test_histories_and_sentences_are_those_of_space(browser: Browser, server: Running) -> None:
@@ -241,7 +243,7 @@ def test_a_file_of_several_pieces_is_shown_until_the_scene_changes(it: Opened) -
     assert min(coloured(picture(it))) > 0.01  # blue below, orange above
     assert "upper part: " in it.text("#story")
     assert it.text("#pieces-key").split("\n") == ["lower part", "upper part"]
-    assert it.box("#space-without")["y"] < it.box("#pieces")["y"]  # a long list does not push it away
+    assert it.box("#stage-without")["y"] < it.box("#pieces")["y"]  # a long list does not push it away
     with it.page.expect_download() as found:
         it.page.click("#toml")
     assert found.value.suggested_filename == "dresser.toml"

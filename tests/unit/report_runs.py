@@ -34,11 +34,11 @@ def made(tilt, slide, mode, events=(), *, overturn_time=math.nan, outcome=Outcom
         held=Held(BODY, ROOM),
     )  # fmt: skip
     place = np.column_stack((slide + u - u * cos - v * sin, none, u * sin - v * cos))
-    still = np.zeros((1, len(tilt), 3))
+    still, half = np.zeros((1, len(tilt), 3)), 0.5 * tilt
     return Run(
         "plane", ("body",), (piece,), ROOM, SHAKE, DT * np.arange(len(tilt)), place[np.newaxis],
-        np.zeros((1, len(tilt), 4)), still, still, initial=State(), gravity=9.80665, slide_rate=none,
-        mode=np.array(mode), events=tuple(events),
+        np.column_stack((np.cos(half), none, np.sin(half), none))[np.newaxis], still, still,
+        initial=State(), gravity=9.80665, slide_rate=none, mode=np.array(mode), events=tuple(events),
     )  # fmt: skip
 
 

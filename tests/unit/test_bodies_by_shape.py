@@ -50,7 +50,7 @@ def test_what_takes_a_section_alone_refuses_it() -> None:
     with pytest.raises(sp.InputError, match="initial is given for what is no lone Body"):
         sp.simulate(VASE, ROOM, MOTION, initial=sp.State(tilt=0.1))
     pieces = [sp.Piece(sp.Body(0.4, 1.8, 60.0, length=0.9)), sp.Piece(VASE, (1.0, 0.0, 0.0), 0.0, [belt])]
-    with pytest.raises(sp.InputError, match=r"members\[1\].*has a shape of its own"):
+    with pytest.raises(sp.InputError, match=r"pieces\[1\].*has a shape of its own"):
         sp.simulate(sp.Scene(pieces, ROOM), MOTION)
 
 

@@ -19,7 +19,7 @@ from stayput.measures import (
 )
 from stayput.measures.element import failures_of
 from stayput.model.flat_fields import case_columns
-from stayput.report.scene import scene_of
+from stayput.report.animation import film_of
 from stayput.report.summary import rows, summary
 from stayput.simulation.many import run_columns
 from stayput.simulation.outcome import QUANTITIES
@@ -171,9 +171,4 @@ def test_devices_are_in_the_dataset_the_summary_and_the_table():
 
 def test_a_film_shows_a_device_whole_till_it_fails():
     run = sp.simulate(BOOKCASE, ROOM, SHAKE, [LBracket(strength=100.0)])
-    scene, failed = scene_of([run]), run.device_failure_time
-    before = {shape["broken"] for shape in scene.devices(scene.pose(failed - 0.01))}
-    after = {shape["broken"] for shape in scene.devices(scene.pose(failed))}
-    assert before == {False}
-    assert after == {False, True}
-    assert {shape["role"] for shape in scene.devices(scene.pose(failed))} == {"metal"}
+    assert {tie.lost for tie in film_of(run).scene.ties} == {run.device_failure_time}

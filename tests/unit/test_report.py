@@ -12,32 +12,47 @@ from report_runs import BODY, SHAKE, falling, made, rocking
 
 import stayput as sp
 from stayput.report.animation import film_of
-from stayput.report.frames import Painter
-from stayput.report.history import history
+from stayput.report.film.frames import Painter
+from stayput.report.film.posed import posed
+from stayput.report.film.scene import ground_displacement
+from stayput.report.history import cut_run, spans, telling, window_of, with_overturning
 from stayput.report.names import motion_label
 from stayput.report.palette import MODE_COLOURS, rgb
 from stayput.report.plot import plot_motion, plot_run
-from stayput.report.scene import ground_displacement, scene_of, section
 from stayput.simulation.outcome import Mode, Outcome
+from stayput.simulation.space_records import matrices
 
 
 def test_the_history_ends_with_the_body_lying_on_the_floor():
     for sign in (1.0, -1.0):
-        shown = history(falling(sign))
-        assert shown.end == 2.505
+        shown = with_overturning(falling(sign))
+        assert shown.time[-1] == 2.505
         assert shown.tilt[-1] == pytest.approx(sign * math.pi / 2)
-        assert shown.z[-1] == pytest.approx(BODY.width / 2)
-        assert shown.x[-1] == pytest.approx(sign * (BODY.width / 2 + BODY.height / 2) + 0.06)
-        assert shown.mode[-1] is Mode.OVERTURNED
+        x, _, z = shown.place[0, -1]
+        assert z == pytest.approx(BODY.width / 2)
+        assert x == pytest.approx(sign * (BODY.width / 2 + BODY.height / 2) + 0.06)
+        assert matrices(shown.attitude[0, -1])[:, 2] == pytest.approx([sign, 0.0, 0.0])
+        assert shown.mode[-1] == Mode.OVERTURNED
     upright = rocking()
-    assert history(upright).time is upright.time
+    assert with_overturning(upright) is upright
 
 
 def test_the_modes_follow_one_another():
-    spans = history(falling()).spans()
-    assert [mode.value for *_, mode in spans] == ["rest", "slide", "rest", "rock", "overturned"]
-    assert spans[1][:2] == pytest.approx((0.5, 1.0))
-    assert all(one[1] == two[0] for one, two in itertools.pairwise(spans))
+    parts = spans(with_overturning(falling()))
+    assert [mode.value for *_, mode in parts] == ["rest", "slide", "rest", "rock", "overturned"]
+    assert parts[1][:2] == pytest.approx((0.5, 1.0))
+    assert all(one[1] == two[0] for one, two in itertools.pairwise(parts))
+
+
+def test_what_is_shown_begins_before_anything_moves_and_ends_after_the_fall():
+    runs = [falling(), rocking()]
+    assert window_of(runs) == (0.0, 4.0)
+    assert window_of(runs, 1.0) == pytest.approx((1.9, 2.905))
+    assert telling(falling()) == pytest.approx(1.5 + 1.005 * math.sqrt(0.5 / (math.pi / 2)), abs=0.01)
+    assert telling(rocking()) % (math.pi / 3) == pytest.approx(math.pi / 6, abs=0.01)
+    part = cut_run(falling(), 1.0, 2.0)
+    assert (part.time[0], part.time[-1], len(part.tilt)) == (1.0, 2.0, 101)
+    assert [event.time for event in part.events] == [1.2]
 
 
 def test_the_plot_shows_the_histories_the_events_and_the_modes(tmp_path):
@@ -82,63 +97,89 @@ def test_the_ground_of_a_sine_is_a_sine_without_drift():
     assert np.abs(ground_displacement(drifting) - shown)[middle].max() < 0.15
 
 
-def test_poses_are_linear_between_samples_and_hold_at_the_end():
-    run = falling()
-    scene = scene_of([run])
-    pose = scene.pose(2.003)
-    assert pose.tilt == pytest.approx(0.7 * run.tilt[200] + 0.3 * run.tilt[201])
-    assert pose.x == pytest.approx(0.7 * run.place[0, 200, 0] + 0.3 * run.place[0, 201, 0])
-    assert pose.mode is Mode.ROCK
-    assert scene.pose(99.0) == scene.pose(2.505)
-    lowest = min(z for _, z in section(BODY, scene.pose(99.0)))
-    assert lowest == pytest.approx(0.0, abs=1e-12)
+def test_a_run_in_the_plane_is_posed_as_one_in_space():
+    """Its places are those of the engine in space, with walls, ceiling and devices where that has them."""
+    body = sp.Body(0.3, 1.8, 90.0, length=0.9)
+    room = sp.Room(left_wall=sp.Wall(0.03), right_wall=sp.Wall(0.4), ceiling=sp.Ceiling(2.4))
+    measures = [sp.MEASURES["l_bracket"](), sp.MEASURES["tension_pole"]()]
+    shaking = sp.sine(2.0, 1.0, 1.0)
+    plane, space = (posed(sp.simulate(body, room, shaking, measures, dimensions=d)) for d in (2, 3))
+    assert posed(space) is space
+    assert plane.place[0, 0] == pytest.approx(space.place[0, 0], abs=1e-6)
+    assert plane.planes.tolist() == space.planes.tolist()
+    assert plane.standing[0].solid.vertices.tolist() == space.standing[0].solid.vertices.tolist()
+    assert len(plane.devices) == len(plane.springs) == len(space.devices) == 4
+    for one, other in zip(plane.springs, space.springs, strict=True):
+        assert all(
+            abs(one[f"{kind}{axis}"] - other[f"{kind}{axis}"]) < 1e-9 for kind in "pa" for axis in "xyz"
+        )
+
+
+def test_a_body_that_overturned_lies_until_the_motion_ends():
+    for sign in (1.0, -1.0):
+        run = posed(falling(sign))
+        assert np.array_equal(run.time, SHAKE.time)
+        assert run.tilt[-1] == pytest.approx(sign * math.pi / 2)
+        scene = film_of(falling(sign)).scene
+        places, turns = scene.pose(4.0)
+        corners = scene.corners(0, turns[0], places[0])
+        assert corners[:, 2].min() == pytest.approx(0.0, abs=1e-9)
+        assert np.ptp(corners, axis=0) == pytest.approx([BODY.height, BODY.width, BODY.width], abs=1e-9)
+    film = film_of(falling())
+    assert film.scene.end == 4.0  # not 4 s after the fall, as the motion ends before
+    assert film.scene.data()["modes"][-1] == (2.51, "overturned")
 
 
 def test_the_room_is_drawn_to_scale_and_moves_with_the_ground():
     film = film_of(falling())
     painter = Painter(film, 640, 480)
-    frame = np.asarray(painter.frame(0.7))
-    body = np.argwhere((frame[60:340] == rgb(MODE_COLOURS[Mode.SLIDE])).all(axis=2))
-    height, width = body.max(axis=0) - body.min(axis=0)
-    line = 4  # pixels of the outline, of both sides
-    assert (height + line) / (width + line) == pytest.approx(6.0, rel=0.05)
 
-    def left_edge(time):
-        row = np.asarray(painter.frame(time))[200]
-        return np.argwhere((row == rgb(MODE_COLOURS[Mode.REST])).all(axis=1)).min()
+    def body(time):
+        frame = np.asarray(painter.frame(time)).astype(int)[45:330]
+        blue = frame[frame[..., 2] > frame[..., 0] + 60]
+        shades, counts = np.unique(blue, axis=0, return_counts=True)
+        return np.argwhere((frame == shades[counts.argmax()]).all(axis=2))  # the side that is seen
 
-    first, then = film.scene.pose(0.3), film.scene.pose(1.4)
-    moved = then.shift + then.x - first.shift - first.x
-    assert left_edge(1.4) - left_edge(0.3) == pytest.approx(moved * (width + line) / 0.3, abs=2.0)
-
-
-def test_a_scene_holds_all_that_is_drawn_in_si_units():
-    scene = scene_of([falling(), rocking()])
-    data = scene.data(60.0)
-    assert json.loads(json.dumps(data, allow_nan=False))["view"] == data["view"]
-    floor, (fallen, upright) = data["floor"], data["runs"]
-    assert floor["time_s"][-1] == upright["time_s"][-1] == scene.end
-    assert fallen["time_s"][-1] == 2.505
-    assert np.diff(floor["time_s"])[:-1] == pytest.approx(1.0 / 60.0, abs=1e-4)
-    assert max(map(abs, floor["acceleration_m_s2"])) == pytest.approx(np.abs(SHAKE.x).max(), abs=1e-3)
-    assert fallen["room"] == {"left_wall_x_m": -0.18, "right_wall_x_m": None, "ceiling_z_m": 2.4}
-    feet = [fallen["z_m"][0] + v for _, v in fallen["body"]["corners_m"][:2]]
-    assert feet == pytest.approx([0.0, 0.0], abs=1e-5)
+    height, width = np.ptp(body(0.3), axis=0)
+    assert height / width == pytest.approx(6.0, rel=0.1)
+    scene = film.scene
+    (first, _), (then, _) = scene.pose(0.3), scene.pose(1.4)
+    moved = scene.shift_at(1.4) + then[0] - scene.shift_at(0.3) - first[0]
+    across = body(1.4)[:, 1].mean() - body(0.3)[:, 1].mean()
+    assert across == pytest.approx(moved[0] * height / 1.8, abs=4.0)
 
 
-def test_a_scene_can_be_a_part_of_the_time():
-    scene = scene_of([falling(), rocking()], start=1.0, end=3.0)
-    data = scene.data(50.0)
-    times = [data["floor"]["time_s"], *(run["time_s"] for run in data["runs"])]
-    assert [(one[0], one[-1]) for one in times] == [(1.0, 3.0), (1.0, 2.505), (1.0, 3.0)]
+def test_a_film_shows_the_modes_as_a_band():
+    frame = np.asarray(Painter(film_of(falling()), 640, 480).frame(1.0))
+    colours = {tuple(colour) for colour in frame[420:440].reshape(-1, 3).tolist()}
+    assert {
+        rgb(MODE_COLOURS[mode]) for mode in (Mode.REST, Mode.SLIDE, Mode.ROCK, Mode.OVERTURNED)
+    } <= colours
 
 
-def test_the_view_holds_every_pose_the_near_wall_and_the_ceiling():
-    scene = scene_of([falling()])
-    view, lying = scene.view, scene.pose(99.0)
-    assert all(view.left < x + lying.shift < view.right for x, _ in section(BODY, lying))
-    assert view.left < -0.18
-    assert view.high > 2.4
-    assert view.grid == 0.5
-    high = dataclasses.replace(falling(), room=sp.Room(ceiling=sp.Ceiling(9.0)))
-    assert scene_of([high]).view.high < 2.5
+def test_runs_side_by_side_share_their_times_and_their_scale():
+    runs = falling(), rocking()
+    scenes = [film_of(run, beside=runs).scene for run in runs]
+    data = [scene.data() for scene in scenes]
+    assert data[0]["view"] == data[1]["view"]
+    assert data[0]["floor"] == data[1]["floor"]
+    assert data[0]["view"]["from"] == "side"
+    assert np.array_equal(scenes[0].time, scenes[1].time)
+    assert json.loads(json.dumps(data, allow_nan=False))
+
+
+def test_the_view_holds_every_pose_and_what_holds_the_body():
+    """A pole reaches up to the ceiling, which is in the picture."""
+    room = sp.Room(left_wall=sp.Wall(0.03), ceiling=sp.Ceiling(2.4))
+    run = sp.simulate(BODY, room, SHAKE, [sp.MEASURES["tension_pole"]()])
+    film = film_of(run)
+    painter = Painter(film, 640, 480)
+    wide, high = painter._layout.scene
+    for time in (0.0, 1.0, 3.0):
+        places, turns = film.scene.pose(time)
+        points = [
+            film.scene.corners(0, turns[0], places[0]),
+            *(film.scene.ends(tie, places, turns) for tie in film.scene.ties),
+        ]
+        seen = np.array(painter._camera.seen(np.concatenate(points)))
+        assert ((seen > 0.0) & (seen < [wide, high])).all()

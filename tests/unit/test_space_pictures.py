@@ -13,11 +13,11 @@ from space_runs import BOX, DRUM, DT, SHAKE, TIME, falling, of_poses, spinning
 
 import stayput as sp
 from stayput.report.animation import film_of
+from stayput.report.film.frames import VIEWS, Camera, Painter, _from_far, _hull_of
+from stayput.report.film.scene import RATE, scene_of
+from stayput.report.film.shape import shape_of
 from stayput.report.palette import BODY_COLOURS, rgb
 from stayput.report.plot import plot_run
-from stayput.report.space.frames import Camera, SpacePainter, _from_far, _hull_of
-from stayput.report.space.scene import RATE, space_scene
-from stayput.report.space.shape import shape_of
 from stayput.report.summary import sentence
 from stayput.simulation.space_records import matrices
 
@@ -44,7 +44,7 @@ def test_the_yaw_counts_whole_turns_and_leaves_out_the_tilt() -> None:
 
 def test_poses_turn_evenly_between_samples_and_hold_at_the_ends() -> None:
     run = spinning()
-    scene = space_scene(run, tuple(NAMES))
+    scene = scene_of(run, tuple(NAMES))
     for time in (0.3, 0.3041, 1.7777):
         angle = 3.0 * np.pi * time / TIME[-1]
         _, turns = scene.pose(time)
@@ -55,14 +55,14 @@ def test_poses_turn_evenly_between_samples_and_hold_at_the_ends() -> None:
 
 def test_a_scene_has_no_more_poses_than_a_screen_shows() -> None:
     run = falling()
-    assert len(space_scene(run, ("box",)).time) == np.ceil(TIME[-1] * RATE) + 1
+    assert len(scene_of(run, ("box",)).time) == np.ceil(TIME[-1] * RATE) + 1
     slow = part(run, samples=slice(None, None, 4))
-    assert np.array_equal(space_scene(slow, ("box",)).time, TIME[::4])
+    assert np.array_equal(scene_of(slow, ("box",)).time, TIME[::4])
 
 
 def test_the_data_hold_all_that_is_drawn_in_si_units() -> None:
     run = falling()
-    scene = space_scene(run, ("box",))
+    scene = scene_of(run, ("box",))
     data = json.loads(json.dumps(scene.data(), allow_nan=False))
     [body] = data["bodies"]
     place, attitude = unpacked(body["place_m"]).reshape(-1, 3), unpacked(body["attitude"]).reshape(-1, 4)
@@ -85,15 +85,15 @@ def test_the_data_hold_all_that_is_drawn_in_si_units() -> None:
 
 def test_the_picture_holds_every_pose_near_the_start() -> None:
     run = falling()
-    scene = space_scene(run, ("box",))
+    scene = scene_of(run, ("box",))
     for time in (0.0, 1.0, 1.3, 2.0):
         places, turns = scene.pose(time)
-        painter = SpacePainter(film_of(run, "en"), 640, 480)
+        painter = Painter(film_of(run, "en"), 640, 480)
         seen = np.array(painter._camera.seen(scene.corners(0, turns[0], places[0])))
         assert (seen > 0.0).all()
         assert (seen < [1280, 622]).all()
     far = dataclasses.replace(run, place=run.place + 50.0 * TIME[:, np.newaxis])
-    assert np.ptp(space_scene(far, ("box",)).points, axis=0).max() < 15.0
+    assert np.ptp(scene_of(far, ("box",)).points, axis=0).max() < 15.0
 
 
 def test_runs_beside_each_other_are_drawn_to_one_scale() -> None:
@@ -101,16 +101,16 @@ def test_runs_beside_each_other_are_drawn_to_one_scale() -> None:
     still = part(fallen, samples=slice(None))
     still = dataclasses.replace(still, place=np.repeat(fallen.place[:, :1], len(fallen.time), axis=1))
     runs = (fallen, still)
-    views = [space_scene(run, ("box",), runs).data()["view"] for run in runs]
+    views = [scene_of(run, ("box",), runs).data()["view"] for run in runs]
     for key in ("low_m", "high_m", "grid_m"):
         assert views[0][key] == views[1][key]
-    assert views[0]["high_m"] != space_scene(still, ("box",)).data()["view"]["high_m"]
-    cameras = [SpacePainter(film_of(run, "en", runs), 640, 480)._camera for run in runs]
+    assert views[0]["high_m"] != scene_of(still, ("box",)).data()["view"]["high_m"]
+    cameras = [Painter(film_of(run, "en", runs), 640, 480)._camera for run in runs]
     assert cameras[0].place == pytest.approx(cameras[1].place)
 
 
 def test_lines_that_go_behind_the_camera_are_cut_and_the_others_are_whole() -> None:
-    camera = Camera(np.array([[0.0, 0.0, 0.0], [1.0, 1.0, 2.0]]), 640, 480)
+    camera = Camera(np.array([[0.0, 0.0, 0.0], [1.0, 1.0, 2.0]]), 640, 480, VIEWS["free"])
     behind = camera.place + 5.0 * (camera.place - [0.5, 0.5, 1.0])
     points = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], behind, behind + 1.0])
     lines = [(0, 1), (1, 2), (2, 3), (2, 1)]
@@ -145,7 +145,7 @@ def test_near_bodies_are_drawn_over_those_they_hide() -> None:
     run = spinning()
     for order in ([0, 1, 2], [2, 1, 0], [1, 0, 2]):
         mixed = of_poses([run.standing[b] for b in order], run.place[order], run.attitude[order])
-        painter = SpacePainter(film_of(mixed, "en"), 640, 480)
+        painter = Painter(film_of(mixed, "en"), 640, 480)
         places, turns = painter._film.scene.pose(0.0)
         corners = [painter._film.scene.corners(b, turns[b], places[b]) for b in range(3)]
         hulls = [_hull_of(*each) for each in zip(painter._film.scene.shapes, corners, turns, strict=True)]
@@ -155,7 +155,7 @@ def test_near_bodies_are_drawn_over_those_they_hide() -> None:
 
 
 def test_frames_show_each_body_in_its_colour(tmp_path: Path) -> None:
-    painter = SpacePainter(film_of(spinning().named(NAMES), "en"), 640, 480)
+    painter = Painter(film_of(spinning().named(NAMES), "en"), 640, 480)
     shown = np.asarray(painter.frame(0.7)).astype(int).reshape(-1, 3)
     for colour in BODY_COLOURS[:3]:  # light and shade leave the hue
         hue = np.array(rgb(colour)) / max(rgb(colour))
@@ -231,7 +231,7 @@ def test_devices_are_drawn_from_the_body_to_where_they_hold() -> None:
     room = sp.Room(left_wall=sp.Wall(0.02), ceiling=sp.Ceiling(2.4))
     still = sp.Motion(dt=0.01, x=np.zeros(11))
     measures = [sp.MEASURES["l_bracket"](), sp.MEASURES["tension_pole"]()]
-    scene = space_scene(sp.simulate(body, room, still, measures, dimensions=3), ("body",))
+    scene = scene_of(sp.simulate(body, room, still, measures, dimensions=3), ("body",))
     places, turns = scene.pose(0.0)
     brackets, poles = np.split(np.array([scene.ends(tie, places, turns) for tie in scene.ties]), 2)
     np.testing.assert_allclose(brackets[:, 0], brackets[:, 1], atol=1e-9)
@@ -241,7 +241,7 @@ def test_devices_are_drawn_from_the_body_to_where_they_hold() -> None:
     joint = sp.Joint(1, 0, (-0.1, 0.3, 0.9), strength=1.0)
     stack = sp.Scene([sp.Piece(lower), sp.Piece(upper, (0.0, 0.0, 0.9))], joints=[joint])
     run = sp.simulate(stack, sp.near_fault())
-    (tie,) = space_scene(run, ("lower", "upper")).ties
+    (tie,) = scene_of(run, ("lower", "upper")).ties
     assert (tie.body, tie.other) == (1, 0)
     np.testing.assert_allclose(tie.point, [-0.1, 0.3, 0.0], atol=1e-9)
     np.testing.assert_allclose(tie.anchor, [-0.1, 0.3, 0.9], atol=1e-9)

@@ -10,16 +10,16 @@ from space_runs import falling
 
 import stayput as sp
 from stayput.report.animation import film_of
+from stayput.report.film import frames
+from stayput.report.film.frames import Painter
+from stayput.report.film.scene import scene_of
+from stayput.report.film.shape import STILL_LOOKS, still_of
 from stayput.report.plot import plot_run
-from stayput.report.space import frames
-from stayput.report.space.frames import SpacePainter
-from stayput.report.space.scene import space_scene
-from stayput.report.space.shape import STILL_LOOKS, still_of
 
 if TYPE_CHECKING:
     import pytest
 
-    from stayput.report.space.shape import StillShape
+    from stayput.report.film.shape import StillShape
 
 PLAN = sp.FloorPlan(
     3.0,
@@ -72,11 +72,11 @@ def test_none_passes_the_ceiling() -> None:
 
 
 def test_a_scene_shows_them_all_and_a_run_without_a_plan_has_none() -> None:
-    scene = space_scene(room_run(), ("box",))
+    scene = scene_of(room_run(), ("box",))
     assert [one["role"] for one in scene.data()["still"]] == [one.role for one in still_of(room_run())]
     assert scene.low[:2].tolist() <= [0.0, 0.0]
     assert (scene.high[:2] >= [3.0, 2.0]).all()
-    assert space_scene(falling(), ("box",)).data()["still"] == []
+    assert scene_of(falling(), ("box",)).data()["still"] == []
 
 
 def test_films_and_plots_draw_them() -> None:
@@ -84,7 +84,7 @@ def test_films_and_plots_draw_them() -> None:
     assert "hold nothing up" in film.caption
     assert "hold nothing up" not in film_of(falling()).caption
     bare = dataclasses.replace(film, scene=dataclasses.replace(film.scene, still=()))
-    shown, empty = (np.asarray(SpacePainter(one, 480, 360).frame(0.0), float) for one in (film, bare))
+    shown, empty = (np.asarray(Painter(one, 480, 360).frame(0.0), float) for one in (film, bare))
     blue = shown[..., 2] - shown[..., 0] > 30.0
     assert blue.sum() > (empty[..., 2] - empty[..., 0] > 30.0).sum() + 500  # the person's box
     lines = [len(plot_run(run).axes[3].lines) for run in (room_run(), falling())]
@@ -107,7 +107,7 @@ def test_doors_of_walls_that_are_seen_from_outside_are_drawn_over_the_bodies(
 
     monkeypatch.setattr(frames, "_draw_still", still)
     monkeypatch.setattr(frames, "_draw_body", body)
-    SpacePainter(film_of(room_run()), 480, 360).frame(0.0)  # seen from the right and the near wall
+    Painter(film_of(room_run()), 480, 360).frame(0.0)  # seen from the right and the near wall
     bodies = [place for place, one in enumerate(drawn) if one == "body"]
     assert sorted(drawn[: bodies[0]]) == ["far", "floor", "left"]
     assert drawn[bodies[-1] + 1 :] == ["right"]

@@ -13,7 +13,7 @@ from stayput.app import replies, requests
 from stayput.app.downloads import attachment, film, report_page, run_csv, scene_toml
 from stayput.app.presets import presets
 from stayput.app.room_api import add_rooms
-from stayput.app.run_replies import SimulateReply, SpaceSimulateReply
+from stayput.app.run_replies import SimulateReply
 from stayput.app.running import shaking_reply, simulated
 from stayput.app.scenes import several_pieces
 from stayput.app.service import OF_BODY, OF_JOB, Service, json_response, of_file, problems
@@ -86,9 +86,7 @@ def _add_general(router: APIRouter, service: Service) -> None:
 
 
 def _add_runs(router: APIRouter, service: Service) -> None:
-    runs = SimulateReply | SpaceSimulateReply
-
-    @router.post("/simulate", response_model=runs, responses=problems(*OF_BODY))
+    @router.post("/simulate", response_model=SimulateReply, responses=problems(*OF_BODY))
     async def simulate(request: Request, body: requests.SimulateRequest) -> Response:
         """Run a scene without and with measures, in the plane or in space; several pieces in space."""
 

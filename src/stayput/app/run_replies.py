@@ -1,4 +1,4 @@
-"""Replies about runs, in the plane with histories as arrays, in space with the scene that the page draws."""
+"""Replies about runs: what happens in them, and the scenes that the page draws."""
 
 from __future__ import annotations
 
@@ -9,34 +9,12 @@ from pydantic import Field
 from stayput.app.replies import Reply, TwoNumbers, Words
 
 
-class BodyReply(Reply):
-    """The body that was simulated."""
-
-    width_m: float
-    height_m: float
-    mass_kg: float
-    inertia_kg_m2: float
-    centre_of_gravity_m: TwoNumbers = Field(description="From the middle of the base.")
-    corners_m: list[TwoNumbers] = Field(description="Base left, base right, top right, top left, from G.")
-    base_heights_m: TwoNumbers
-    resting_tilt_rad: float = Field(description="Tilt at rest, to which `tilt_rad` adds.")
-    slenderness_rad: float
-
-
-class RoomReply(Reply):
-    """Where the faces of the room stand; x = 0 is the middle of the base at the start."""
-
-    left_wall_x_m: float | None
-    right_wall_x_m: float | None
-    ceiling_z_m: float | None
-
-
 class EventReply(Reply):
-    """What happened at an instant."""
+    """What happened to a piece at an instant."""
 
     time_s: float
     kind: str
-    mode: str
+    piece: int = Field(description="Its number, from 0 on.")
 
 
 class DeviceReply(Reply):
@@ -53,18 +31,8 @@ class DeviceReply(Reply):
     failure_time_s: float | None
     cause: str | None
     weakest: Words | None = Field(description="What gave way, or would first.")
-    pull_n: list[float] = Field(description="At the run's times.")
+    pull_n: list[float] = Field(description="At the poses.")
     shear_n: list[float]
-
-
-class ShapeReply(Reply):
-    """A line or a filled outline of a device, points in the body's or the room's frame."""
-
-    kind: Literal["line", "polygon"]
-    points: list[tuple[Literal["body", "room"], float, float]]
-    role: str
-    device: int | None
-    when: Literal["always", "whole", "broken"]
 
 
 class FateReply(Reply):
@@ -91,29 +59,22 @@ class PieceReply(FateReply):
     impacts_on_bodies: int
 
 
-class PiecesReply(FateReply):
+class RunReply(FateReply):
     """What became of the pieces of a run, and when the first one overturned."""
 
     sentence: Words
     pieces: list[PieceReply]
-
-
-class RunReply(PiecesReply):
-    """One run in the plane."""
-
-    body: BodyReply
-    room: RoomReply
-    time_s: list[float]
-    x_m: list[float] = Field(description="Centre of gravity in the room.")
-    z_m: list[float]
-    tilt_rad: list[float]
-    slide_m: list[float]
-    modes: list[tuple[float, str]] = Field(description="When each mode starts.")
-    events: list[EventReply]
+    events: list[EventReply] = Field(
+        description="In the plane all; in space when each piece first slides, lifts an edge and overturns, "
+        "and first hits on the room."
+    )
     events_total: int = Field(description="How many there were.")
-    events_cut: bool = Field(description="Whether only the first ones and the last are listed.")
+    events_cut: bool = Field(description="Whether only some are listed: in the plane the first and the last.")
     devices: list[DeviceReply]
-    shapes: list[ShapeReply]
+    scene: dict[str, Any] = Field(
+        description="Bodies and room, as the method `data` of `stayput.report.film.scene.FilmScene` "
+        "describes them; long histories are the base 64 of 32-bit floating-point numbers, least byte first."
+    )
 
 
 class MotionOfRun(Reply):
@@ -131,25 +92,6 @@ class MotionOfRun(Reply):
     floor_class: str | None
 
 
-class FloorReply(Reply):
-    """How the floor moves in a picture, over the whole motion."""
-
-    time_s: list[float]
-    x_m: list[float] = Field(description="Displacement without its slow drift, times scale_shown.")
-    acceleration_m_s2: list[float] = Field(description="The largest of each frame, with its sign.")
-    scale_shown: float
-
-
-class ViewReply(Reply):
-    """What part of the room is worth showing, for all runs."""
-
-    left_m: float
-    right_m: float
-    low_m: float
-    high_m: float
-    grid_m: float = Field(description="Distance of marks that stand still.")
-
-
 class BuildingReply(Reply):
     """The building between the ground and the furniture."""
 
@@ -158,39 +100,6 @@ class BuildingReply(Reply):
     structure: str | None
     ground_x_m: list[float] = Field(description="Displacement of the ground, as the floor's.")
     roof_x_m: list[float] = Field(description="Displacement of the roof, as the floor's.")
-
-
-class SimulateReply(Reply):
-    """A scene run in the plane without and with measures."""
-
-    dimensions: Literal[2] = 2
-    motion: MotionOfRun
-    floor: FloorReply
-    view: ViewReply
-    building: BuildingReply | None
-    without: RunReply
-    with_: RunReply | None = Field(serialization_alias="with")
-
-
-class SpaceEventReply(Reply):
-    """What happened to a piece at an instant."""
-
-    time_s: float
-    kind: str
-    piece: int = Field(description="Its number, from 0 on.")
-
-
-class SpaceRunReply(PiecesReply):
-    """One run in space."""
-
-    events: list[SpaceEventReply] = Field(
-        description="When each piece first slides, lifts an edge and overturns, and first hits on the room."
-    )
-    devices: list[DeviceReply] = Field(description="Their forces are at the times of the poses.")
-    scene: dict[str, Any] = Field(
-        description="Bodies and room, as the method `data` of `stayput.report.space.scene.SpaceScene` "
-        "describes them; long histories are the base 64 of 32-bit floating-point numbers, least byte first."
-    )
 
 
 class HitReply(Reply):
@@ -208,13 +117,13 @@ class RunInRoomReply(Reply):
     shut_in: list[str] = Field(description="Places from which no way leads out at the end.")
 
 
-class SpaceSimulateReply(Reply):
-    """A scene run in space without and with measures, or several pieces."""
+class SimulateReply(Reply):
+    """A scene run without and with measures, or several pieces."""
 
-    dimensions: Literal[3] = 3
+    engine: Literal["plane", "space"]
     motion: MotionOfRun
     floor: dict[str, Any] = Field(description="How the floor moves, of the same form as the runs' scenes.")
     building: BuildingReply | None
     in_room: RunInRoomReply | None = Field(default=None, description="Of a room: what happens in it.")
-    without: SpaceRunReply
-    with_: SpaceRunReply | None = Field(default=None, serialization_alias="with")
+    without: RunReply
+    with_: RunReply | None = Field(default=None, serialization_alias="with")

@@ -17,16 +17,10 @@ from stayput.errors import InputError
 from stayput.model.room import WALLS_AROUND
 from stayput.montecarlo.hazard import Ground
 from stayput.motion.intensity import intensity_class, published_intensity
-from stayput.report.names import names_of
-from stayput.report.scene import TIME_DIGITS, frames, ground_displacement, rounded, scene_of
-from stayput.report.space.scene import space_scene
-from stayput.report.summary import (
-    device_results,
-    piece_results,
-    place_called,
-    sentences,
-    sentences_of_piece,
-)
+from stayput.report.film.posed import posed
+from stayput.report.film.scene import TIME_DIGITS, ground_displacement, scene_of
+from stayput.report.film.shape import rounded
+from stayput.report.summary import device_results, piece_results, place_called, sentences_of_piece
 from stayput.rooms.events import happens_in
 from stayput.scenario.option import YOURS
 from stayput.simulation.case import simulate
@@ -35,21 +29,15 @@ from stayput.simulation.space_fate import ROCKED, SLID
 from stayput.verification.words import class_phrase
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
     from stayput.measures import Measure
     from stayput.measures.element import DeviceResult
     from stayput.motion import Motion
-    from stayput.report.space.scene import SpaceScene
     from stayput.scenario import Scenario
     from stayput.scenario.shaking import ShakingTable
     from stayput.simulation.run import Run
-
-RATE = 60.0
-"""Frames a second."""
 
 MOST_EVENTS = 2000
 """Events of a run that are sent: the first ones, and the last."""
@@ -108,9 +96,7 @@ def pieces_run(scenario: Scenario) -> Run:
         raise RefusedError(422, error.about("scene")) from None
 
 
-def simulated(
-    scenario: Scenario,
-) -> run_replies.SimulateReply | run_replies.SpaceSimulateReply:
+def simulated(scenario: Scenario) -> run_replies.SimulateReply:
     """Run a scene: one piece without and with the user's measures, or several pieces.
 
     Raises
@@ -119,59 +105,50 @@ def simulated(
         As `run_of` and `pieces_run`.
     """
     ground, motion = ground_and_floor(scenario)
-    if not scenario.alone:
-        return _pieces_reply(scenario, ground)
     measures = own_measures(scenario)
-    runs = [run_of(scenario, motion, in_place) for in_place in ([(), measures] if measures else [()])]
-    if runs[0].engine == "plane":
-        return _plane_reply(scenario, runs, ground)
-    scenes = [space_scene(run, names_of(run, "en"), runs) for run in runs]
-    return _space_reply(scenario, scenes, [sentences_of_piece(run) for run in runs], ground)
-
-
-def _plane_reply(scenario: Scenario, runs: list[Run], ground: Motion) -> run_replies.SimulateReply:
-    motion = runs[0].motion
-    scene = scene_of(runs, end=motion.duration)
-    data = scene.data(RATE)
-    replies = [_run_reply(run, run_data) for run, run_data in zip(runs, data["runs"], strict=True)]
-    times = frames(0.0, motion.duration, RATE)
-    return run_replies.SimulateReply(
-        motion=_motion_of_run(ground, motion),
-        floor=run_replies.FloorReply(**data["floor"]),
-        view=run_replies.ViewReply(**data["view"]),
-        building=_building_reply(scenario.shaking, ground, times, scene.shift_scale),
+    if scenario.alone:
+        runs = [run_of(scenario, motion, in_place) for in_place in ([(), measures] if measures else [()])]
+    else:
+        runs = [pieces_run(scenario)]
+    drawn = [posed(run) for run in runs]
+    scenes = [scene_of(shown, shown.names, drawn) for shown in drawn]
+    data = [scene.data() for scene in scenes]
+    floor, *_ = [each.pop("floor") for each in data]  # which all runs share
+    replies = [
+        _run_reply(run, scene.time, scene_data)
+        for run, scene, scene_data in zip(runs, scenes, data, strict=True)
+    ]
+    reply = run_replies.SimulateReply(
+        engine=runs[0].engine,
+        motion=_motion_of_run(ground, runs[0].motion),
+        floor=floor,
+        building=_building_reply(scenario.shaking, ground, scenes[0].time, scenes[0].shift_scale),
         without=replies[0],
         with_=replies[1] if len(replies) > 1 else None,
     )
+    if scenario.plan is not None:
+        hits, blocked, shut_in = happens_in(runs[0])
+        each = [run_replies.HitReply(piece=piece, place=place) for piece, place in hits]
+        reply.in_room = run_replies.RunInRoomReply(hits=each, blocked=[*blocked], shut_in=[*shut_in])
+    return reply
 
 
-def _run_reply(run: Run, data: dict[str, Any]) -> run_replies.RunReply:
-    """Return a run in the plane as arrays for a picture: its data in a scene, and what happened."""
-    events = [
-        run_replies.EventReply(
-            time_s=round(event.time, TIME_DIGITS), kind=event.kind.value, mode=event.mode.value
-        )
-        for event in run.events
-    ]
+def _run_reply(run: Run, times: NDArray[np.float64], scene: dict[str, Any]) -> run_replies.RunReply:
+    """Return what became of the pieces of a run, with the scene that shows it at some times [s]."""
+    pieces, events = piece_results(run), _events(run)
+    total = len(events) + sum(run.unlisted.values())
     return run_replies.RunReply(
-        **data,
-        **_fate(run, sentences_of_piece(run)),
-        events=events,
-        events_total=run.events_total,
-        events_cut=bool(run.unlisted),
+        outcome=run.outcome.value,
+        sentence=Words.of(sentences_of_piece(run)),
+        overturned=any(p.overturned for p in run.pieces),
+        overturn_time_s=min((p.overturn_time for p in run.pieces if p.overturned), default=None),
+        pieces=[run_replies.PieceReply(**piece) for piece in pieces],
+        events=events[:MOST_EVENTS],
+        events_total=total,
+        events_cut=total > MOST_EVENTS,
+        devices=[_device(device, run, times) for device in run.devices],
+        scene=scene,
     )
-
-
-def _fate(run: Run, sentence: Phrase) -> dict[str, Any]:
-    """Return what became of the pieces of a run."""
-    pieces = piece_results(run)
-    return {
-        "outcome": run.outcome.value,
-        "sentence": Words.of(sentence),
-        "overturned": any(p.overturned for p in run.pieces),
-        "overturn_time_s": min((p.overturn_time for p in run.pieces if p.overturned), default=None),
-        "pieces": pieces,
-    }
 
 
 def ground_and_floor(scenario: Scenario) -> tuple[Motion, Motion]:
@@ -231,66 +208,31 @@ def _shift(motion: Motion, times: NDArray[np.float64], scale: float) -> list[flo
     return rounded(scale * np.interp(times, motion.time, ground_displacement(motion)))
 
 
-def _pieces_reply(scenario: Scenario, ground: Motion) -> run_replies.SpaceSimulateReply:
-    run = pieces_run(scenario)
-    reply = _space_reply(scenario, [space_scene(run, scenario.names)], [sentences(run)], ground)
-    if scenario.plan is not None:
-        hits, blocked, shut_in = happens_in(run)
-        each = [run_replies.HitReply(piece=piece, place=place) for piece, place in hits]
-        reply.in_room = run_replies.RunInRoomReply(hits=each, blocked=[*blocked], shut_in=[*shut_in])
-    return reply
-
-
-def _space_reply(
-    scenario: Scenario,
-    scenes: Sequence[SpaceScene],
-    sentences: Sequence[Phrase],
-    ground: Motion,
-) -> run_replies.SpaceSimulateReply:
-    """Return the reply about a run without measures, and about one with them where there is one."""
-    data = [scene.data() for scene in scenes]
-    floor, *_ = [each.pop("floor") for each in data]  # which all runs share
-    replies = [_space_run_reply(*each) for each in zip(scenes, data, sentences, strict=True)]
-    return run_replies.SpaceSimulateReply(
-        motion=_motion_of_run(ground, scenes[0].run.motion),
-        floor=floor,
-        building=_building_reply(scenario.shaking, ground, scenes[0].time, scenes[0].shift_scale),
-        without=replies[0],
-        with_=replies[1] if len(replies) > 1 else None,
-    )
-
-
-def _space_run_reply(scene: SpaceScene, data: dict[str, Any], sentence: Phrase) -> run_replies.SpaceRunReply:
-    run = scene.run
-    return run_replies.SpaceRunReply(
-        **_fate(run, sentence),
-        events=_events(run),
-        devices=[_device(device, run, scene) for device in run.devices],
-        scene=data,
-    )
-
-
-def _device(device: DeviceResult, run: Run, scene: SpaceScene) -> Any:
+def _device(device: DeviceResult, run: Run, times: NDArray[np.float64]) -> Any:
     forces = {"pull_n": device.pull, "shear_n": device.shear}
-    at_poses = {name: rounded(np.interp(scene.time, run.time, values), 1) for name, values in forces.items()}
-    return {**device_results(device), "name": place_called(device, scene.names), **at_poses}
+    at_poses = {name: rounded(np.interp(times, run.time, values), 1) for name, values in forces.items()}
+    return {**device_results(device), "name": place_called(device, run.names), **at_poses}
 
 
-def _events(run: Run) -> list[run_replies.SpaceEventReply]:
-    """Return when each piece first slides and lifts an edge, its hits on the room, and when it overturns."""
-    events: list[tuple[float, EventKind, int]] = [
-        (hit.time, HITS[hit.surface], hit.body) for hit in run.hits[:MOST_EVENTS] if hit.surface
-    ]
-    for number, piece in enumerate(run.pieces):
-        first = {
-            EventKind.SLIP: _first(run.time, piece.slide > SLID),
-            EventKind.UPLIFT: _first(run.time, piece.tilt > ROCKED),
-            EventKind.OVERTURNED: piece.overturn_time,
-        }
-        events += [(time, kind, number) for kind, time in first.items() if not math.isnan(time)]
-    events.sort(key=lambda event: event[0])
+def _events(run: Run) -> list[run_replies.EventReply]:
+    """Return the events of a run in order.
+
+    In space: when each piece first slides and lifts an edge, its hits on the room, and when it overturns.
+    """
+    if run.engine == "plane":
+        events = [(event.time, event.kind, 0) for event in run.events]
+    else:
+        events = [(hit.time, HITS[hit.surface], hit.body) for hit in run.hits if hit.surface]
+        for number, piece in enumerate(run.pieces):
+            first = {
+                EventKind.SLIP: _first(run.time, piece.slide > SLID),
+                EventKind.UPLIFT: _first(run.time, piece.tilt > ROCKED),
+                EventKind.OVERTURNED: piece.overturn_time,
+            }
+            events += [(time, kind, number) for kind, time in first.items() if not math.isnan(time)]
+        events.sort(key=lambda event: event[0])
     return [
-        run_replies.SpaceEventReply(time_s=round(time, TIME_DIGITS), kind=kind.value, piece=piece)
+        run_replies.EventReply(time_s=round(time, TIME_DIGITS), kind=kind.value, piece=piece)
         for time, kind, piece in events
     ]
 

@@ -230,14 +230,15 @@ TEXTS: dict[str, tuple[str, str]] = {
     "tower": ("The building, its sway drawn larger", "建物（揺れは拡大表示）"),
     "towerAlt": ("The building; the storey of the furniture is marked", "外から見た建物。家具のある階に印"),
     "again": ("From the beginning", "最初から"),
-    "seeNote": (
-        "To scale. The room moves with the shaking; the dotted lines stand still, as far apart as the scale is long. The round mark is the centre of gravity. Space plays and pauses, the arrow keys step.",
-        "実際の縮尺です。部屋は地震とともに動き、点線は動かない基準線で、間隔は右上の目盛りの長さです。丸い印は重心です。スペースキーで再生・停止、矢印キーでコマ送りできます。",
+    "inPlaneNote": (
+        "Followed in the plane of its depth: shaken forwards, backwards, up and down. Shaking along its length and turning are left out.",
+        "奥行き方向の断面内の動き（前後と上下）を計算しています。左右方向の揺れと水平面内の回転は含みません。",
     ),
     "turnNote": (
-        "The room moves with the shaking unless that is switched off. Drag sideways to turn the picture, pinch or Ctrl and the wheel to come nearer; with the picture in focus, the arrow keys turn it. The lighter or striped side is the front. What holds the piece is drawn over it; a cross marks where it has failed.",
-        "設定を外さない限り、部屋は地震とともに動きます。横にドラッグすると回転し、つまむ操作やコントロールキーとホイールで拡大・縮小できます。図を選ぶと矢印キーでも回転します。明るい面または縞のある側が正面です。器具は家具の上に重ねて描き、壊れた所には×印を付けています。",
+        "The room moves with the shaking unless that is switched off. Drag sideways to turn the picture, pinch or Ctrl and the wheel to come nearer; with the picture in focus, the arrow keys turn it. The lighter or striped side is the front. What holds the piece is drawn over it; a cross marks where it has failed. Space plays and pauses, the arrow keys step.",
+        "設定を外さない限り、部屋は地震とともに動きます。横にドラッグすると回転し、つまむ操作やコントロールキーとホイールで拡大・縮小できます。図を選ぶと矢印キーでも回転します。明るい面または縞のある側が正面です。器具は家具の上に重ねて描き、壊れた所には×印を付けています。スペースキーで再生・停止、矢印キーでコマ送りできます。",
     ),
+    "nowInPlane": ("{mode} · tilt {tilt}° · moved {slide}", "{mode}・傾き{tilt}°・移動{slide}"),
     "nowInSpace": ("tilt {tilt}° · moved {slide} · turned {yaw}°", "傾き{tilt}°・移動{slide}・回転{yaw}°"),
     "nowMost": ("largest tilt {tilt}°", "最大の傾き{tilt}°"),
     "placeBorehole": ("In the borehole, below the ground,", "地中（ボアホールの底）で、"),

@@ -127,14 +127,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "地震動が1つだけでは、他の地震動でどれだけばらつくか分からないため、帯はありません。",
     ),
     "watch": ("See it happen", "動きを見る"),
-    "watch_text": (
-        (
-            "The room moves with the ground, without its drift below {corner} Hz; the dotted "
-            "lines stand still, {grid} m apart."
-        ),
-        "部屋は地盤とともに動きます（{corner} Hz未満のゆっくりした動きは除外）。点線は動かない基準線で、間隔は{grid} mです。",
-    ),
-    "part_shown": ("The room's movement is drawn at {part} %.", "部屋の動きは{part}%に縮めて描いています。"),
     "typical": ("A typical case", "典型的な場合"),
     "typical_text": (
         (
@@ -161,38 +153,19 @@ TEXTS: dict[str, tuple[str, str]] = {
         "比較した中で最良の案で最も悪い結果になった計算と、その案なしの同じ計算です。",
     ),
     "worst_bare_text": ("{without}, the run that went worst.", "{without}で最も悪い結果になった計算です。"),
-    "scene_alt": ("Animation of the piece from its side: {content}", "家具と部屋を横から見た動画：{content}"),
+    "scene_alt": ("Animation of what stands in the room: {content}", "部屋と家具の動画：{content}"),
     "histories": ("Time histories", "時刻歴"),
-    "histories_alt": (
-        "Floor acceleration, tilt and slide over time, without and with the measure: {outcomes}",
-        "床の加速度・傾き・移動量の時刻歴（対策なしとあり）：{outcomes}",
-    ),
-    "axis_acceleration": ("Floor acceleration [m/s²]", "床の加速度 [m/s²]"),
-    "axis_tilt": ("Tilt [°]", "傾き [°]"),
-    "axis_slide": ("Slide [cm]", "移動量 [cm]"),
     "typical_bare_text": (
         "{without}, half of the runs went better than this one and half went worse.",
         "{without}で、結果がちょうど中程度だった計算です。",
     ),
     "axis_time": ("Time [s]", "時刻 [s]"),
-    "device_failure": ("device fails", "器具の破損・脱落"),
-    "motion_in_space": (
+    "motion_shown": (
         (
             "Motion {number} of {count}: {name}; peak acceleration of the floor, all components together, {peak:.2f} m/s². "
             "Shown from {start} to {end} s of {duration} s."
         ),
         "地震動 {number}/{count}：{name}、床の全成分を合わせた最大加速度 {peak:.2f} m/s²。全{duration}秒のうち{start}～{end}秒を表示。",
-    ),
-    "motion_shown": (
-        (
-            "Motion {number} of {count}: {name}; peak acceleration of the floor along the depth {peak:.2f} m/s². "
-            "Shown from {start} to {end} s of {duration} s; tilts are cut at three critical "
-            "angles."
-        ),
-        (
-            "地震動 {number}/{count}：{name}、床の奥行き方向の最大加速度 {peak:.2f} m/s²。全{duration}秒のう"
-            "ち{start}～{end}秒を表示。傾きは限界角の3倍までを表示します。"
-        ),
     ),
     "estimates": ("Quick estimates, to compare", "簡易式による目安"),
     "estimates_text": (

@@ -102,24 +102,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Animations.
     "body": ("body", "物体"),
     "player_theme": ("Light / dark", "明るい配色／暗い配色"),
-    "player_keys": (
-        "Space plays and pauses; the arrow keys step.",
-        "スペースキーで再生・一時停止、矢印キーでコマ送りができます。",
-    ),
-    "player_tilt_shown": ("Tilt, shown up to {angle}°", "傾き（{angle}°まで表示）"),
     "recorded_on": ("{name}, recorded on {floor}", "{name}（{floor}の記録）"),
     "unnamed": ("a motion without a name", "名前のない地震動"),
-    "motion_title": ("{name}, peak {peak:.2f} m/s²", "{name}、最大加速度 {peak:.2f} m/s²"),
-    "caption": (
-        (
-            "The room moves with the ground: the record integrated twice, without its drift "
-            "below {corner:g}\u00a0Hz{part}. The dotted lines stand still, {grid:g}\u00a0m apart."
-        ),
-        (
-            "部屋は地盤とともに動きます（記録を2回積分し、{corner:g}\u00a0Hz未満のゆっくりした動き"
-            "を除いたもの{part}）。点線は動かない基準線で、間隔は{grid:g}\u00a0mです。"
-        ),
-    ),
     "floor_acceleration": ("Floor acceleration: {motion}", "床の加速度：{motion}"),
     "drawn_smaller": (", drawn at {share:.0f} % of its size", "、実際の{share:.0f}%で表示"),
     "too_short": (

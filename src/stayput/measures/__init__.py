@@ -15,7 +15,7 @@ from stayput.measures.floor import (
 from stayput.measures.measure import BadlyInstalled, Held, Measure, element_rows, hold
 from stayput.measures.place import AgainstWall, AwayFromWall, Ballast, LowerShelves
 from stayput.measures.pole import TensionPole
-from stayput.measures.sketch import Shape, shapes, sketch
+from stayput.measures.sketch import Shape, sketch
 from stayput.measures.wall import Belt, Chain, LBracket, LBracketInBoard
 from stayput.model.parameters import Parameter, parameters
 
@@ -72,6 +72,5 @@ __all__ = [
     "element_rows",
     "hold",
     "parameters",
-    "shapes",
     "sketch",
 ]

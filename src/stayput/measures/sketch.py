@@ -1,27 +1,23 @@
-"""Measures as simple shapes, to scale: what a picture draws of them, whole or broken.
-
-A point of a shape goes with the body or with the room, so that a device between the two stretches as the
-body moves. A picture needs nothing else: each point is turned and moved with its frame.
-"""
+"""Measures as simple shapes, to scale, as they are in the room while the body rests: what drawings show."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from stayput.measures.element import Element, at_rest
 from stayput.model.room import Room, Wall
 from stayput.model.state import wall_faces
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable
 
     from stayput.measures.measure import Held, Measure
     from stayput.model.body import Body
 
-Point: TypeAlias = "tuple[Literal['body', 'room'], float, float]"
-"""A frame and a place in it [m]: from the middle of the base in the body's axes, or in the room."""
+Points: TypeAlias = "tuple[tuple[float, float], ...]"
+"""Places in the room, or right of the middle of the base and up in the body's axes [m]."""
 
 Role = Literal["tie", "pad", "rubber", "metal", "wheel", "mass"]
 """What a shape is made of, for its colour."""
@@ -35,128 +31,79 @@ class Shape:
     ----------
     kind : str
         "line" or "polygon".
-    points : tuple
-        Its points.
+    points : tuple of tuple of float
+        Its points in the room, right and up [m].
     role : str
         What it is made of.
-    element : int or None
-        The place of the element that it shows, in the list of elements.
-    when : str
-        "always", or while the element is "whole" or "broken".
 
     Examples
     --------
     >>> import stayput as sp
     >>> from stayput.measures import Chain, hold, sketch
     >>> held = hold(sp.Body(0.4, 1.8, 100.0), sp.Room(left_wall=sp.Wall(0.05)), [Chain()])
-    >>> for shape in sketch(held):
-    ...     print(shape.kind, shape.role, shape.when)
-    line tie whole
-    line tie broken
-    line tie broken
+    >>> shape, = sketch(held)
+    >>> print(shape.kind, shape.role)
+    line tie
+    >>> [(round(x, 2), round(z, 2)) for x, z in shape.points]  # from the top to the wall
+    [(-0.1, 1.8), (-0.25, 1.88)]
     """
 
     kind: Literal["line", "polygon"]
-    points: tuple[Point, ...]
+    points: Points
     role: Role
-    element: int | None = None
-    when: Literal["always", "whole", "broken"] = "always"
 
 
 THIN = 0.018
 """Sheets and pads are drawn so thick that they are seen [m]."""
 
-STUB = 0.3
-"""Part of a device that stays at either end once it is broken."""
 
-SHORTEST_STUB = 0.06
-"""What stays of a short device is no less than this, or half of it [m]."""
+def _box(left: float, low: float, right: float, high: float) -> Points:
+    return (left, low), (right, low), (right, high), (left, high)
 
 
-def _box(
-    left: float,
-    low: float,
-    right: float,
-    high: float,
-    role: Role,
-    frame: Literal["body", "room"] = "body",
-    n: int | None = None,
-) -> Shape:
-    corners = ((left, low), (right, low), (right, high), (left, high))
-    return Shape("polygon", tuple((frame, x, z) for x, z in corners), role, n)
+def _on_body(body: Body, points: Points) -> Points:
+    return tuple(at_rest(body, point) for point in points)
 
 
-def _between(
-    n: int, body: Body, point: tuple[float, float], anchor: tuple[float, float], role: Role
-) -> list[Shape]:
-    """Return a line from a point of the body to one of the room, and what is left of it once it broke."""
-    x, z = at_rest(body, point)
-    far = math.dist((x, z), anchor)
-    share = min(0.5, max(STUB, SHORTEST_STUB / far)) if far > 0.0 else 0.0
-    right, up = share * (anchor[0] - x), share * (anchor[1] - z)
-    held: Point = ("body", *point)
-    fixed: Point = ("room", *anchor)
-    return [
-        Shape("line", (held, fixed), role, n, "whole"),
-        Shape("line", (held, ("body", point[0] + right, point[1] + up)), role, n, "broken"),
-        Shape("line", (fixed, ("room", anchor[0] - right, anchor[1] - up)), role, n, "broken"),
-    ]
-
-
-def _to_wall(n: int, element: Element, body: Body, room: Room) -> list[Shape]:
+def _to_wall(element: Element, body: Body, room: Room) -> list[Shape]:
     """Return a bracket: an arm to the wall and a leg on it."""
-    _, z = at_rest(body, element.point)
-    wall = _face(body, room)
-    leg = min(0.06, 0.5 * body.height)
-    plate = Shape("line", (("room", wall, z), ("room", wall, z - leg)), "metal", n)
-    inside = element.point[0] + min(0.06, 0.5 * body.width)
-    arm = Shape("line", (("body", *element.point), ("body", inside, element.point[1])), "metal", n)
-    return [plate, arm, *_between(n, body, element.point, (wall, z), "metal")]
+    (u, v), (x, z) = element.point, at_rest(body, element.point)
+    wall = wall_faces(body, replace(room, left_wall=room.left_wall or Wall(0.0)))[0]
+    leg, inside = min(0.06, 0.5 * body.height), u + min(0.06, 0.5 * body.width)
+    lines = ((wall, z), (wall, z - leg)), _on_body(body, ((u, v), (inside, v))), ((x, z), (wall, z))
+    return [Shape("line", line, "metal") for line in lines]
 
 
-def _face(body: Body, room: Room) -> float:
-    """Return the place of the wall behind [m]."""
-    return wall_faces(body, replace(room, left_wall=room.left_wall or Wall(0.0)))[0]
-
-
-def _tie(n: int, element: Element, body: Body, room: Room) -> list[Shape]:
+def _tie(element: Element, body: Body, room: Room) -> list[Shape]:
     """Return a line from the body to the anchor, for any device that has no picture of its own."""
-    right, up = element.to_anchor or (0.0, 0.0)
-    x, z = at_rest(body, element.point)
-    return _between(n, body, element.point, (x + right, z + up), "tie")
+    (right, up), (x, z) = element.to_anchor or (0.0, 0.0), at_rest(body, element.point)
+    return [Shape("line", ((x, z), (x + right, z + up)), "tie")]
 
 
-def _pole(n: int, element: Element, body: Body, room: Room) -> list[Shape]:
+def _pole(element: Element, body: Body, room: Room) -> list[Shape]:
     assert room.ceiling is not None
-    (x, _), top, half = at_rest(body, element.point), room.ceiling.height, 0.035
+    (u, v), (x, z), top, half = element.point, at_rest(body, element.point), room.ceiling.height, 0.035
+    below = _on_body(body, ((u - half, v + 0.01), (u + half, v + 0.01)))
+    lines = ((x - half, top - 0.01), (x + half, top - 0.01)), below, ((x, z), (x, top))
+    return [Shape("line", line, "metal") for line in lines]
+
+
+def _gel(element: Element, body: Body, room: Room) -> list[Shape]:
+    """Return a pad between body and floor."""
     u, v = element.point
-    plates = [
-        Shape("line", (("room", x - half, top - 0.01), ("room", x + half, top - 0.01)), "metal", n, "whole"),
-        Shape("line", (("body", u - half, v + 0.01), ("body", u + half, v + 0.01)), "metal", n, "whole"),
-    ]
-    return [*plates, *_between(n, body, element.point, (x, top), "metal")]
+    outer, inner = _on_body(body, ((u, v), (u - math.copysign(0.06, u), v)))
+    return [Shape("polygon", (outer, inner, (inner[0], -THIN), (outer[0], -THIN)), "pad")]
 
 
-def _gel(n: int, element: Element, body: Body, room: Room) -> list[Shape]:
-    """Return a pad: a box that stretches between body and floor, and what is left on the floor of it."""
-    u, v = element.point
-    inner, thick = u - math.copysign(0.06, u), THIN
-    x0, x1 = at_rest(body, (u, v))[0], at_rest(body, (inner, v))[0]
-    floor: tuple[Point, ...] = (("room", x1, -thick), ("room", x0, -thick))
-    whole = Shape("polygon", (("body", u, v), ("body", inner, v), *floor), "pad", n, "whole")
-    left = Shape("polygon", (*floor, ("room", x0, 0.0), ("room", x1, 0.0)), "pad", n, "broken")
-    return [whole, left]
-
-
-def _stops(n: int, element: Element, body: Body, room: Room) -> list[Shape]:
+def _stops(element: Element, body: Body, room: Room) -> list[Shape]:
     """Return the tray and the stops on the floor at the ends of its stroke."""
     half, reach = 0.5 * body.width, 0.5 * body.width + element.normal.slack_plus
-    tray = _box(-half, -0.03, half, 0.0, "metal", n=n)
-    sides = ((-reach, -1.0), (reach, 1.0))
-    return [tray, *(_box(x, -0.04, x + side * 0.02, 0.03, "rubber", "room", n) for x, side in sides)]
+    sides = [_box(x, -0.04, x + side * 0.02, 0.03) for x, side in ((-reach, -1.0), (reach, 1.0))]
+    tray = Shape("polygon", _on_body(body, _box(-half, -0.03, half, 0.0)), "metal")
+    return [tray, *(Shape("polygon", side, "rubber") for side in sides)]
 
 
-_OF_ELEMENT: dict[str, Callable[[int, Element, Body, Room], list[Shape]]] = {
+_OF_ELEMENT: dict[str, Callable[[Element, Body, Room], list[Shape]]] = {
     "gel_mats": _gel,
     "l_bracket": _to_wall,
     "l_bracket_board": _to_wall,
@@ -165,46 +112,36 @@ _OF_ELEMENT: dict[str, Callable[[int, Element, Body, Room], list[Shape]]] = {
 }
 
 
-def _feet(body: Body, thick: float, role: Role) -> list[Shape]:
-    half, wide = body.width / 2, min(0.04, 0.2 * body.width)
-    return [_box(-half, -thick, wide - half, 0.0, role), _box(half - wide, -thick, half, 0.0, role)]
-
-
-def _wheels(body: Body) -> list[Shape]:
-    r, half = min(0.025, 0.2 * body.width), body.width / 2
-    turns = [2.0 * math.pi * i / 16 for i in range(16)]
-    return [
-        Shape("polygon", tuple(("body", x + r * math.cos(t), r * math.sin(t)) for t in turns), "wheel")
-        for x in (r - half, half - r)
-    ]
-
-
-def _of_measure(measure: Measure, body: Body) -> list[Shape]:
+def _of_measure(measure: Measure, body: Body) -> tuple[Role, list[Points]]:
+    """Return what a measure without devices is made of, and its outlines in the body's axes."""
     half = body.width / 2
     match measure.kind:
         case "anti_slip_sheet":
-            return [_box(-half, -THIN, half, 0.0, "rubber")]
+            return "rubber", [_box(-half, -THIN, half, 0.0)]
         case "felt_glides" | "sliding_glides":
-            return _feet(body, THIN, "pad")
+            wide = min(0.04, 0.2 * body.width)
+            return "pad", [_box(-half, -THIN, wide - half, 0.0), _box(half - wide, -THIN, half, 0.0)]
         case "free_casters" | "locked_casters":
-            return _wheels(body)
+            r = min(0.025, 0.2 * body.width)
+            turns = [2.0 * math.pi * i / 16 for i in range(16)]
+            wheel = [(r * math.cos(turn), r * math.sin(turn)) for turn in turns]
+            return "wheel", [tuple((x + u, v) for u, v in wheel) for x in (r - half, half - r)]
         case "wedge_stopper":
             front = body.base_heights[1]
             back = max(-half, half - 0.15)
             inner = front * (0.5 + back / body.width)
             nose = half + 0.03
-            edge = ((back, inner), (nose, front), (nose, THIN), (half, 0.8 * THIN), (half, 0.0))
-            return [Shape("polygon", tuple(("body", x, z) for x, z in edge), "rubber")]
+            return "rubber", [((back, inner), (nose, front), (nose, THIN), (half, 0.8 * THIN), (half, 0.0))]
         case "ballast":
             height: float = getattr(measure, "height")  # noqa: B009
             thick = min(0.04, height)
-            return [_box(-0.9 * half, height - thick, 0.9 * half, height + thick, "mass")]
+            return "mass", [_box(-0.9 * half, height - thick, 0.9 * half, height + thick)]
         case _:
-            return []
+            return "mass", []
 
 
 def sketch(held: Held) -> list[Shape]:
-    """Return the shapes of all measures of a body, some of which only show when a device is broken.
+    """Return the shapes of all measures of a body at rest.
 
     Examples
     --------
@@ -213,64 +150,14 @@ def sketch(held: Held) -> list[Shape]:
     >>> wedge, = sketch(hold(sp.Body(0.4, 1.8, 100.0), sp.Room(), [WedgeStopper()]))
     >>> wedge.kind, wedge.role
     ('polygon', 'rubber')
-    >>> [(frame, round(x, 2), round(z, 3)) for frame, x, z in wedge.points[:3]]  # m
-    [('body', 0.05, -0.004), ('body', 0.23, -0.007), ('body', 0.23, 0.018)]
     """
-    drawn = [shape for measure in held.measures for shape in _of_measure(measure, held.body)]
-    for n, element in enumerate(held.elements):
-        drawn += _OF_ELEMENT.get(element.kind, _tie)(n, element, held.body, held.room)
-    return drawn
-
-
-def shapes(held: Held, x: float, z: float, tilt: float, broken: Iterable[int] = ()) -> list[dict[str, Any]]:
-    """Return what a picture shows of the measures, in the room's coordinates, as plain data.
-
-    Parameters
-    ----------
-    held : Held
-        The body with its measures.
-    x, z : float
-        Where G is [m].
-    tilt : float
-        Tilt of the body, + clockwise [rad].
-    broken : iterable of int
-        Places of the elements that have failed.
-
-    Returns
-    -------
-    list of dict
-        ``kind``: "line" or "polygon"; ``points``: pairs (x, z) [m]; ``role``: what it is made of; ``broken``:
-        whether it is what is left of a device that failed.
-
-    Examples
-    --------
-    >>> import stayput as sp
-    >>> from stayput.measures import Ballast, hold, shapes
-    >>> held = hold(sp.Body(0.4, 1.8, 60.0), sp.Room(), [Ballast()])
-    >>> x, z = held.body.centre_of_gravity
-    >>> for tilt in (0.0, 0.1):  # the lower left and right corner of the ballast, as the body turns [m]
-    ...     points = shapes(held, x, z, tilt)[0]["points"]
-    ...     print([(round(right, 2), round(up, 2)) for right, up in points[:2]])
-    [(-0.18, 0.06), (0.18, 0.06)]
-    [(-0.24, 0.08), (0.12, 0.05)]
-    """
-    gone = set(broken)
-    x_g, z_g = held.body.centre_of_gravity
-    sin, cos = math.sin(tilt), math.cos(tilt)
-
-    def placed(frame: str, right: float, up: float) -> tuple[float, float]:
-        if frame == "room":
-            return right, up
-        u, v = right - x_g, up - z_g
-        return x + u * cos + v * sin, z + v * cos - u * sin
-
-    return [
-        {
-            "kind": shape.kind,
-            "points": [placed(*point) for point in shape.points],
-            "role": shape.role,
-            "broken": shape.when == "broken",
-        }
-        for shape in sketch(held)
-        if shape.when == "always" or (shape.when == "broken") == (shape.element in gone)
+    body, room = held.body, held.room
+    drawn = [
+        Shape("polygon", _on_body(body, points), role)
+        for measure in held.measures
+        for role, outlines in [_of_measure(measure, body)]
+        for points in outlines
     ]
+    for element in held.elements:
+        drawn += _OF_ELEMENT.get(element.kind, _tie)(element, body, room)
+    return drawn

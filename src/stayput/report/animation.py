@@ -1,4 +1,4 @@
-"""Animations of runs, in the plane and in space: GIF, MP4, or a self-contained HTML page."""
+"""Animations of runs: GIF, MP4, or a self-contained HTML page."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import subprocess
 import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 from PIL import Image
@@ -15,14 +15,13 @@ from PIL import Image
 from stayput.catalogue import phrase, say
 from stayput.errors import InputError, within
 from stayput.files import check_animation, draft
-from stayput.report.frames import Painter
-from stayput.report.history import cut_run, history, peak_of, window_in_space, window_of
+from stayput.report.film.frames import Painter
+from stayput.report.film.posed import posed
+from stayput.report.film.scene import DRIFT_CORNER, FilmScene, scene_of
+from stayput.report.history import AFTER, cut_run, peak_of, telling, window_of
 from stayput.report.names import motion_label, names_of
 from stayput.report.page import Player, file_of, filled, inks_css, script_json, script_module
 from stayput.report.palette import mode_looks
-from stayput.report.scene import DRIFT_CORNER, PlaneScene, scene_of
-from stayput.report.space.frames import SpacePainter
-from stayput.report.space.scene import SpaceScene, space_scene
 from stayput.report.summary import sentences
 from stayput.wording import check_language
 
@@ -44,31 +43,23 @@ _SHORTEST = 2  # hundredths of a second between a GIF's frames: browsers slow do
 _COLOURS = 64  # colours of a GIF
 _SAMPLED = 12  # frames from which these are chosen
 
-_BAR_TEXTS = {
+_OF_PICTURE = ("tilt", "slide", "yaw", "strip", "shaken", "scene", "tilt_of", "keys", "no_webgl")
+_OF_VIEWS = ("body", "view", "view_free", "view_front", "view_side", "view_top")
+PLAYER_TEXTS = {
     **{key: f"common.{key}" for key in ("play", "pause", "time", "speed")},
     "theme": "runs.player_theme",
-    **{key: f"space.{key}" for key in ("tilt", "slide", "strip")},
+    **{key: f"space.{key}" for key in (*_OF_PICTURE, *_OF_VIEWS)},
 }
-PLAYER_TEXTS = _BAR_TEXTS | {key: f"runs.player_{key}" for key in ("keys", "tilt_shown")}
 """Texts of the HTML player: their ids by what the player calls them."""
-
-_OF_VIEWS = ("body", "yaw", "view", "view_free", "view_front", "view_side", "view_top")
-SPACE_PLAYER_TEXTS = _BAR_TEXTS | {
-    key: f"space.{key}" for key in (*_OF_VIEWS, "shaken", "scene", "tilt_of", "keys", "no_webgl")
-}
-"""The same of the player in space."""
-
-
-AnyScene = TypeVar("AnyScene", bound=PlaneScene | SpaceScene)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Film(Generic[AnyScene]):
+class Film:
     """A run made ready for an animation.
 
     Parameters
     ----------
-    scene : PlaneScene or SpaceScene
+    scene : FilmScene
         What is drawn.
     title : str
         What became of the bodies, in one sentence.
@@ -82,7 +73,7 @@ class Film(Generic[AnyScene]):
         A sentence that stands in every frame of a GIF or MP4.
     """
 
-    scene: AnyScene
+    scene: FilmScene
     title: str
     strip_title: str
     caption: str
@@ -95,9 +86,9 @@ def film_of(
     language: str = "en",
     beside: Sequence[Run] = (),
     *,
-    seconds: float | None = None,
+    window: tuple[float, float] | None = None,
     note: str = "",
-) -> Film[Any]:
+) -> Film:
     """Make a run ready for an animation.
 
     Parameters
@@ -107,9 +98,9 @@ def film_of(
     language : str
         Language of the texts, "en" or "ja".
     beside : sequence of Run
-        Runs in space that are shown beside each other, this one among them, to one scale.
-    seconds : float, optional
-        How much is shown of it, in which something happens [s]; by default all.
+        Runs that are shown beside each other, this one among them, to one scale.
+    window : tuple of float, optional
+        The start and the end of what is shown of it [s]; by default all.
     note : str
         A sentence that stands in every frame.
 
@@ -120,34 +111,21 @@ def film_of(
     """
     if len(run.time) < 2:
         raise InputError("runs.too_short", samples=len(run.time))
-    if run.engine == "space":
-        shown = run if seconds is None else cut_run(run, *window_in_space([run], seconds))
-        scene = space_scene(shown, names_of(run, language), beside)
-        key, peak = "space.motion_title", peak_of(run.motion)
-        caption = [
-            say("space.caption", language, grid=scene.grid),
-            *([say("space.caption_still", language)] if scene.still else []),
-            say("space.caption_moved", language, **_movement(scene)),
-        ]
-    else:
-        start, end = float(run.time[0]), None
-        if seconds is not None:
-            shown = history(run)
-            start, end = window_of([(run, shown)], run.motion, seconds)
-            end = min(end, shown.end)
-        scene = scene_of([run], start, end)
-        key, peak = "runs.motion_title", run.motion.pga
-        caption = [say("runs.caption", language, **_movement(scene), grid=scene.view.grid)]
-    motion = say(key, language, name=motion_label(run.motion, language), peak=peak)
-    strip = say("runs.floor_acceleration", language, motion=motion)
-    return Film(scene, say(sentences(run), language), strip, " ".join(caption), language, note)
-
-
-def _movement(scene: PlaneScene | SpaceScene) -> dict[str, object]:
-    """Return the values of a sentence on how the room moves in a picture."""
+    if window is None:  # in the plane nothing is followed from when it has overturned
+        window = 0.0, run.end + AFTER if run.engine == "plane" and run.overturned else math.inf
+    shown, *others = [cut_run(posed(each), *window) for each in (run, *beside)]
+    scene = scene_of(shown, names_of(run, language), others)
     scale = scene.shift_scale
     part = "" if scale >= 1.0 else phrase("runs.drawn_smaller", share=100.0 * scale)
-    return {"corner": DRIFT_CORNER, "part": part}
+    caption = [
+        say("space.caption", language, grid=scene.grid),
+        *([say("space.caption_still", language)] if scene.still else []),
+        say("space.caption_moved", language, corner=DRIFT_CORNER, part=part),
+    ]
+    name = motion_label(run.motion, language)
+    motion = say("space.motion_title", language, name=name, peak=peak_of(shown.motion))
+    strip = say("runs.floor_acceleration", language, motion=motion)
+    return Film(scene, say(sentences(run), language), strip, " ".join(caption), language, note)
 
 
 def animate_run(
@@ -163,15 +141,15 @@ def animate_run(
     seconds: float | None = None,
     note: str = "",
 ) -> Path:
-    """Animate a run: the shaken room in section or in space, to scale, above the floor's acceleration.
+    """Animate a run: the shaken room to scale, above the floor's acceleration.
 
     Parameters
     ----------
     run : Run
         The run.
     path : str or Path
-        Where to write it: GIF, MP4 (needs ffmpeg) or HTML (a player in one file, which in space needs a
-        browser with WebGL 2 to draw surfaces), by its ending.
+        Where to write it: GIF, MP4 (needs ffmpeg) or HTML (a player in one file, which needs a browser with
+        WebGL 2 to draw light and shadows), by its ending.
     fps : float
         Frames a second. A GIF counts in hundredths of a second, so 20, 25 and 50 are met exactly and
         others as nearly as can be, at most 50, always at the right speed. The HTML player draws
@@ -208,14 +186,15 @@ def animate_run(
     within("runs.animation_speed", speed, 0.01, 100.0, field="speed")
     within("runs.animation_hold", hold, 0.0, 60.0, "s", field="hold")
     within("runs.animation_width", width, 200, 4000, "pixels", field="width")
-    film = film_of(run, check_language(language), seconds=seconds, note=note)
+    window = None if seconds is None else window_of([run], seconds)
+    film = film_of(run, check_language(language), window=window, note=note)
     suffix = target.suffix.lower()
     with draft(target) as unfinished:
         if suffix == ".html":
             unfinished.write_text(player_page(film, speed, hold), encoding="utf-8")
             return target
         size = width - width % 2, round(0.375 * width) * 2  # both even, as MP4 needs them
-        frame = (SpacePainter if run.engine == "space" else Painter)(film, *size).frame
+        frame = Painter(film, *size).frame
         delay = max(_SHORTEST, round(100.0 / fps))  # of a GIF
         rate = 100.0 / delay if suffix == ".gif" else fps
         times = frame_times(film.scene.start, film.scene.end, rate, speed, hold)
@@ -233,7 +212,7 @@ def run_player(run: Run, speed: float = 1.0, language: str = "en") -> Player:
     return Player(player_page(film, speed, hold=1.5), film.title)
 
 
-def player_page(film: Film[Any], speed: float, hold: float, *, plays: bool = True) -> str:
+def player_page(film: Film, speed: float, hold: float, *, plays: bool = True) -> str:
     """Return the HTML player: one file with the run in it, drawn by the browser as fast as its screen.
 
     Parameters
@@ -245,25 +224,24 @@ def player_page(film: Film[Any], speed: float, hold: float, *, plays: bool = Tru
     hold : float
         How long the last pose is held before the film starts again [s].
     plays : bool
-        Whether it plays at once.
+        Whether it plays at once; else its most telling moment is shown.
     """
-    in_space = isinstance(film.scene, SpaceScene)
-    folder, ids = ("space/", SPACE_PLAYER_TEXTS) if in_space else ("", PLAYER_TEXTS)
-    texts = {key: say(name, film.language) for key, name in ids.items()}
+    texts = {key: say(name, film.language) for key, name in PLAYER_TEXTS.items()}
     data = {
         **film.scene.data(),
-        **({} if in_space else {"modes": mode_looks(film.language)}),
+        "looks": mode_looks(film.language),
         "title": film.title,
         "strip_title": film.strip_title,
         "speed": speed,
         "hold_s": hold,
         "plays": plays,
+        "telling_s": telling(film.scene.run),
         "texts": texts,
     }
-    script = script_module(file_of(f"{folder}player.js"))
+    script = script_module(file_of("film/player.js"))
     code = {"inks": inks_css(), "data": script_json(data), "code": script}
     said = {"language": film.language, "title": film.title, "caption": film.caption}
-    return filled(file_of(f"{folder}player.html"), {**texts, **said}, code)
+    return filled(file_of("film/player.html"), {**texts, **said}, code)
 
 
 def frame_times(start: float, end: float, fps: float, speed: float, hold: float) -> NDArray[np.float64]:

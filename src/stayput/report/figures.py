@@ -118,9 +118,10 @@ def saved(figure: Figure, path: str | Path | None) -> Figure:
 
 
 def embedded(figure: Figure, form: Literal["png", "svg"]) -> str:
-    """Return a figure as the address of an image that holds it."""
+    """Return a figure as the address of an image that holds it, the same for the same figure."""
     content = BytesIO()
-    figure.savefig(content, format=form)
+    with mpl.rc_context({"svg.hashsalt": "stayput"}):
+        figure.savefig(content, format=form, metadata={"Date": None} if form == "svg" else None)
     kind = "svg+xml" if form == "svg" else form
     return f"data:image/{kind};base64,{base64.b64encode(content.getvalue()).decode('ascii')}"
 

@@ -1,9 +1,9 @@
-"""The histories of runs for display, and the part of them in which something happens."""
+"""What of a run is shown: its fall, its modes, and the part of it in which something happens."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -26,70 +26,42 @@ BEFORE, AFTER, LONGEST = 2.0, 4.0, 60.0
 MOVED = 1e-3
 """Tilt [rad] and slide [m] from which something moves."""
 
+OF_PIECES = ("tilt", "slide", "slide_in_plan", "yaw")
+"""Histories of a piece."""
 
-@dataclass(frozen=True, slots=True, eq=False)
-class History:
-    """Histories, shape (n,) each.
 
-    Parameters
-    ----------
-    time : ndarray
-        Times [s].
-    x, z : ndarray
-        Centre of gravity in the room [m].
-    tilt : ndarray
-        Tilt from rest [rad].
-    slide : ndarray
-        Slide [m].
-    mode : tuple of Mode
-        How the body moves from each instant on.
+def sampled(run: Run, samples: NDArray[np.intp] | NDArray[np.bool_]) -> Run:
+    """Return what pictures show of a run at some of its samples: numbers or a mask, shape (n,)."""
+    pieces = tuple(
+        replace(piece, **{name: getattr(piece, name)[samples] for name in OF_PIECES}) for piece in run.pieces
+    )
+    poses = {name: getattr(run, name)[:, samples] for name in ("place", "attitude")}
+    mode = run.mode[samples] if len(run.mode) else run.mode
+    return replace(run, time=run.time[samples], pieces=pieces, mode=mode, **poses)
+
+
+def with_overturning(run: Run) -> Run:
+    """Return a run with the instant of overturning, where that comes after its last sample.
+
+    In the plane samples end before the body turned over. The instant of overturning follows them here: 90°,
+    on the side where it lies, with the corner it turned about on the floor.
     """
-
-    time: NDArray[np.float64]
-    x: NDArray[np.float64]
-    z: NDArray[np.float64]
-    tilt: NDArray[np.float64]
-    slide: NDArray[np.float64]
-    mode: tuple[Mode, ...]
-
-    @property
-    def end(self) -> float:
-        """Time of the last instant [s]."""
-        return float(self.time[-1])
-
-    def spans(self) -> list[tuple[float, float, Mode]]:
-        """Return when the body was in which mode: (start [s], end [s], mode), one after the other."""
-        starts = [i for i, mode in enumerate(self.mode) if i == 0 or mode is not self.mode[i - 1]]
-        times = self.time[[*starts, -1]].tolist()
-        return [(start, end, self.mode[i]) for i, (start, end) in zip(starts, pairwise(times), strict=True)]
-
-
-def history(run: Run) -> History:
-    """Return the histories of a run.
-
-    A run's own end with the last sample before the body turned over. The instant of overturning follows
-    it here: 90°, on the side where it lies, with the corner it turned about on the floor.
-    """
-    mode = tuple(Mode(str(value)) for value in run.mode)
-    x, _, z = run.place[0].T
-    shown = History(run.time, x, z, run.tilt, run.slide, mode)
-    if not run.overturned or run.overturn_time <= shown.end:
-        return shown
+    if not run.mode.size or not run.overturned or run.overturn_time <= float(run.time[-1]):
+        return run
     tilt = float(run.tilt[-1])
     corner = run.body.corners_at_rest[1 if tilt > 0.0 else 0]
     across, _ = turned(corner, tilt)
     last = next((event for event in reversed(run.events) if event.kind is EventKind.OVERTURNED), None)
     moved = 0.0 if last is None else last.slide - float(run.slide[-1])
-    lying = math.copysign(math.pi / 2, tilt) - run.body.resting_tilt
-    right, up = turned(corner, lying)
-    return History(
-        np.append(run.time, run.overturn_time),
-        np.append(x, float(x[-1]) + across + moved - right),
-        np.append(z, -up),
-        np.append(run.tilt, lying),
-        np.append(run.slide, float(run.slide[-1]) + moved),
-        (*mode, Mode.OVERTURNED),
-    )
+    flat = math.copysign(math.pi / 2, tilt)
+    right, up = turned(corner, flat - run.body.resting_tilt)
+    longer = sampled(run, np.append(np.arange(len(run.time)), -1))
+    longer.time[-1] = run.overturn_time
+    longer.place[0, -1] = float(run.place[0, -1, 0]) + across + moved - right, 0.0, -up
+    longer.attitude[0, -1] = math.cos(0.5 * flat), 0.0, math.sin(0.5 * flat), 0.0
+    longer.tilt[-1] = flat - run.body.resting_tilt
+    longer.slide[-1] += moved
+    return replace(longer, mode=np.append(run.mode, Mode.OVERTURNED.value))
 
 
 def turned(corner: tuple[float, float], tilt: float) -> tuple[float, float]:
@@ -99,68 +71,63 @@ def turned(corner: tuple[float, float], tilt: float) -> tuple[float, float]:
     return u * cos + v * sin, v * cos - u * sin
 
 
-def window_of(
-    runs: Sequence[tuple[Run, History]], motion: Motion, longest: float = LONGEST
-) -> tuple[float, float]:
+def spans(run: Run) -> list[tuple[float, float, Mode]]:
+    """Return when the body was in which mode: (start [s], end [s], mode) in order; nothing in space."""
+    if not len(run.mode):
+        return []
+    starts = [0, *(np.flatnonzero(run.mode[1:] != run.mode[:-1]) + 1).tolist()]
+    modes = [Mode(mode) for mode in run.mode[starts].tolist()]
+    times = run.time[[*starts, -1]].tolist()
+    return [(start, end, mode) for mode, (start, end) in zip(modes, pairwise(times), strict=True)]
+
+
+def telling(run: Run) -> float:
+    """Return the most telling moment [s]: halfway through the first fall, else the largest tilt or slide."""
+    tilt, _ = _largest(run)
+    if any(piece.overturned for piece in run.pieces) and tilt.max() > 0.5:
+        return float(run.time[int((tilt > 0.5).argmax())])
+    return _peak(run)
+
+
+def _largest(run: Run) -> list[NDArray[np.float64]]:
+    """Return the largest tilt [rad] and slide [m] of all pieces over time, shape (samples,) each."""
+    return [
+        np.max([np.abs(getattr(piece, name)) for piece in run.pieces], axis=0) for name in ("tilt", "slide")
+    ]
+
+
+def _peak(run: Run) -> float:
+    tilt, slide = _largest(run)
+    return float(run.time[int((tilt if tilt.max() > MOVED else slide).argmax())])
+
+
+def window_of(runs: Sequence[Run], longest: float = LONGEST) -> tuple[float, float]:
     """Return the start and the end of the time in which something moves [s].
 
     Parameters
     ----------
-    runs : sequence of (Run, History)
-        Runs in the plane, with what is shown of them.
-    motion : Motion
-        How the floor moves.
+    runs : sequence of Run
+        Runs under one motion.
     longest : float
         How long it may be [s].
     """
-    first = motion.duration
-    for _, shown in runs:
-        moved = (np.abs(shown.tilt - shown.tilt[0]) > MOVED) | (np.abs(shown.slide) > MOVED)
-        if moved.any():
-            first = min(first, float(shown.time[int(moved.argmax())]))
-    falls = [run.overturn_time for run, _ in runs if run.overturned]
-    peaks = [
-        float(shown.time[int(np.abs(values).argmax())])
-        for _, shown in runs
-        for values in (shown.tilt, shown.slide)
-    ]
-    last = max(falls or peaks)
-    if first >= last:  # nothing moves: show the strongest shaking
-        first = last = float(motion.time[int(np.abs(motion.x).argmax())])
-    return _around(first, last, motion.duration, longest)
-
-
-def window_in_space(runs: Sequence[Run], longest: float = LONGEST) -> tuple[float, float]:
-    """Return the start and the end of the time in which something moves in space [s]; see `window_of`."""
-    times = runs[0].time
-    first, last = float(times[-1]), 0.0
+    first, last, motion = math.inf, 0.0, runs[0].motion
     for run in runs:
-        tilt = np.max([piece.tilt for piece in run.pieces], axis=0)
-        slide = np.max([piece.slide for piece in run.pieces], axis=0)
-        moved = np.flatnonzero((tilt > MOVED) | (slide > MOVED))
-        if len(moved):
-            first = min(first, float(times[moved[0]]))
+        tilt, slide = _largest(run)
+        moved = run.time[(tilt > MOVED) | (slide > MOVED)]
+        first = min(first, *moved[:1].tolist(), math.inf)
         falls = [piece.overturn_time for piece in run.pieces if piece.overturned]
-        last = max(last, *falls or [float(times[tilt.argmax()])])
+        last = max(last, *falls or [_peak(run)])
     if first >= last:  # nothing moves: the strongest shaking is shown
-        first = last = float(times[np.abs(runs[0].motion.x).argmax()])
-    return _around(first, last, float(times[-1]), longest)
-
-
-def _around(first: float, last: float, duration: float, longest: float) -> tuple[float, float]:
-    end = min(duration, last + min(AFTER, 0.4 * longest))
+        first = last = float(motion.time[np.abs(motion.x).argmax()])
+    end = min(motion.duration, last + min(AFTER, 0.4 * longest))
     return math.floor(10.0 * max(0.0, first - BEFORE, end - longest)) / 10.0, end
 
 
 def cut_run(run: Run, start: float, end: float) -> Run:
-    """Return the part of a run in space between two times [s]; numbers stay those of the whole."""
-    kept = (run.time >= start - 1e-9) & (run.time <= end + 1e-9)
-    along = ("place", "attitude", "velocity", "rotation_rate", "force")
-    of_piece = ("tilt", "slide", "slide_in_plan", "yaw")
-    cut = [{name: getattr(piece, name)[kept] for name in of_piece} for piece in run.pieces]
-    pieces = tuple(replace(piece, **parts) for piece, parts in zip(run.pieces, cut, strict=True))
-    poses = {name: getattr(run, name)[:, kept] for name in along}
-    return replace(run, time=run.time[kept], pieces=pieces, **poses)
+    """Return the part of a run between two times [s]; numbers stay those of the whole."""
+    cut = sampled(run, (run.time >= start - 1e-9) & (run.time <= end + 1e-9))
+    return replace(cut, events=tuple(event for event in run.events if start <= event.time <= end))
 
 
 def peak_of(motion: Motion) -> float:

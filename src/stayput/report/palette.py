@@ -18,7 +18,7 @@ MODE_COLOURS: dict[Mode, str] = {
     Mode.LEAN: "#f0e442",
     Mode.OVERTURNED: "#d55e00",
 }
-"""Colour of each mode, in bands and as the body's fill."""
+"""Colour of each mode."""
 
 EVENT_MARKERS: dict[EventKind, tuple[str, str]] = {
     EventKind.FLOOR_IMPACT: ("v", "#1f2933"),
@@ -36,9 +36,8 @@ ROLE_COLOURS: dict[str, str] = {
     "metal": "#3b4cc0",
     "wheel": "#4a5560",
     "mass": "#6b4f8a",
-    "broken": "#9b1c1c",
 }
-"""Colour of what devices are made of, and of what is left of one that failed."""
+"""Colour of what devices are made of."""
 
 INK = "#1f2933"
 """Lines of histories and outlines, and text."""
@@ -51,9 +50,6 @@ FAINT = "#dfe3e8"
 
 ROOM = "#8d99a6"
 """Floor slab, walls and ceiling."""
-
-ROOM_SHADE = "#74808d"
-"""Marks on the floor and the walls that make their shaking visible."""
 
 PAPER = "#ffffff"
 """Background."""

@@ -30,8 +30,9 @@ from stayput.report.figures import (
     saved,
     style,
 )
+from stayput.report.film.shape import STILL_LOOKS, still_of
 from stayput.report.fonts import drawable, with_face, wrapped
-from stayput.report.history import history
+from stayput.report.history import spans, with_overturning
 from stayput.report.names import acceleration_label, motion_label, names_of
 from stayput.report.palette import (
     ALARM,
@@ -43,7 +44,6 @@ from stayput.report.palette import (
     MUTED,
     ROOM,
 )
-from stayput.report.space.shape import STILL_LOOKS, still_of
 from stayput.simulation.outcome import EventKind, Mode
 from stayput.simulation.run import RunHistory
 
@@ -128,7 +128,7 @@ def plot_run(run: Run, path: str | Path | None = None, *, title: str = "", langu
         _draw_modes(axes[3], _draw_bands((tilt, slide), run), language)
     for axis in axes[:-1]:
         axis.tick_params(labelbottom=False)
-    first.set_xlim(0.0 if run.engine == "plane" else float(run.time[0]), _last_time(run))
+    first.set_xlim(float(run.time[0]), _last_time(run))
     label_axes(axes[-1], language, x="report.axis_time")
     figure.align_ylabels(axes[:3])
     return saved(figure, path)
@@ -195,11 +195,8 @@ def _histories(run: Run, what: RunHistory) -> list[tuple[NDArray[np.float64], ND
     """Return times [s] and values of each piece: tilt [°], slide [cm], yaw [°]; or acceleration [m/s²]."""
     if what == "acceleration":
         return [(run.motion.time, run.motion.x)]
-    scale = 100.0 if what == "slide" else math.degrees(1.0)
-    if run.engine == "plane" and what != "yaw":
-        shown = history(run)
-        return [(shown.time, scale * getattr(shown, what))]
-    return [(run.time, scale * getattr(piece, what)) for piece in run.pieces]
+    scale, shown = 100.0 if what == "slide" else math.degrees(1.0), with_overturning(run)
+    return [(shown.time, scale * getattr(piece, what)) for piece in shown.pieces]
 
 
 def plot_motion(
@@ -307,11 +304,9 @@ def _angles(run: Run) -> Iterator[tuple[float, str, str, str]]:
 
 
 def _last_time(run: Run) -> float:
-    """Return the end of the time axis [s]: the run's, or in the plane the record's or after the body fell."""
-    if run.engine == "space":
-        return float(run.time[-1])
-    duration = run.motion.duration
-    return min(duration, _AFTER * run.overturn_time) if run.overturned else duration
+    """Return the end of the time axis [s]: the run's, or where it ends with a fall a little after that."""
+    last = float(run.time[-1])
+    return last if run.end <= last else min(run.motion.duration, _AFTER * run.end)
 
 
 def _draw_acceleration(axis: Axes, run: Run, language: str) -> None:
@@ -374,7 +369,7 @@ def _mark_tilt(axis: Axes, run: Run, language: str) -> None:
 def _tilt_limits(run: Run) -> tuple[float, float]:
     """Return the tilt axis' ends [°]: with the critical angles once they matter, but not all of a fall."""
     low, high = (angle for angle, *_ in islice(_angles(run), 2))  # the critical ones
-    tilt = np.degrees(history(run).tilt)
+    tilt = np.degrees(with_overturning(run).tilt)
     below, above = float(tilt.min()), float(tilt.max())
     peak = max(-below, above, 0.1)
     if peak < 0.25 * min(-low, high):
@@ -387,8 +382,8 @@ def _tilt_limits(run: Run) -> tuple[float, float]:
 
 def _draw_bands(bands: tuple[Axes, ...], run: Run) -> dict[Mode, list[tuple[float, float]]]:
     """Draw the modes as faint bands behind histories; return when and how long the body was in each [s]."""
-    spans = history(run).spans()
-    bars = {mode: [(start, end - start) for start, end, m in spans if m is mode] for mode in Mode}
+    parts = spans(with_overturning(run))
+    bars = {mode: [(start, end - start) for start, end, m in parts if m is mode] for mode in Mode}
     present = {mode: widths for mode, widths in bars.items() if widths}
     for axis in bands:
         for mode, widths in present.items():

@@ -9,7 +9,7 @@ from matplotlib.patches import Polygon, Rectangle
 
 from stayput.measures import Held
 from stayput.measures.element import at_rest
-from stayput.measures.sketch import shapes
+from stayput.measures.sketch import sketch
 from stayput.model.body import Body
 from stayput.model.state import State, standing_corners, wall_faces
 from stayput.report.figures import FONT, label_axes
@@ -98,13 +98,12 @@ def _quantities(body: Body) -> str:
 
 
 def _draw_measures(axis: Axes, held: Held) -> None:
-    x, z = at_rest(held.body, held.body.centre_of_gravity)
-    for shape in shapes(held, x, z, held.body.resting_tilt):
-        colour = ROLE_COLOURS[shape["role"]]
-        if shape["kind"] == "polygon":
-            axis.add_patch(Polygon(shape["points"], facecolor=colour, edgecolor=INK, linewidth=0.6, zorder=4))
+    for shape in sketch(held):
+        colour = ROLE_COLOURS[shape.role]
+        if shape.kind == "polygon":
+            axis.add_patch(Polygon(shape.points, facecolor=colour, edgecolor=INK, linewidth=0.6, zorder=4))
         else:
-            axis.plot(*zip(*shape["points"], strict=True), color=colour, linewidth=2.4, zorder=4)
+            axis.plot(*zip(*shape.points, strict=True), color=colour, linewidth=2.4, zorder=4)
 
 
 def _draw_room(axis: Axes, room: Room, body: Body, size: float) -> tuple[float, float, float]:

@@ -203,7 +203,12 @@ class SceneTables(FromFile):
         return self.room.room() if self.plan is None else self.scene().around
 
     def _joints(self) -> list[Joint]:
-        return [
-            checked(f"joints[{number}]", partial(table.joint, self.names))
-            for number, table in enumerate(self.joints)
-        ]
+        try:
+            return [
+                checked(f"joints[{number}]", partial(table.joint, self.names))
+                for number, table in enumerate(self.joints)
+            ]
+        except InputError as error:
+            for number, name in enumerate(self.names):
+                error = error.renamed(f"pieces[{number}]", repr(name))
+            raise error from None

@@ -169,7 +169,7 @@ class Hit:
     >>> import stayput as sp
     >>> shaking = sp.sine(amplitude=0.0, frequency=1.0, duration=1.0)
     >>> box = sp.Body.box(width=0.3, length=0.3, height=0.3, mass=10.0)
-    >>> run = sp.simulate(sp.Assembly([sp.Piece(box, at=(0.0, 0.0, 0.02))]), sp.Room(), shaking)
+    >>> run = sp.simulate(sp.Piece(box, at=(0.0, 0.0, 0.02)), sp.Room(), shaking)
     >>> first = run.hits[0]
     >>> print(first.surface, round(first.speed, 2))
     floor 0.63

@@ -104,10 +104,9 @@ class PieceRun:
     Examples
     --------
     >>> import stayput as sp
-    >>> upper = sp.Piece(sp.Body.box(0.4, 0.8, 0.9, 30.0), at=(0.0, 0.0, 0.9))
-    >>> both = sp.Assembly([sp.Piece(sp.Body.box(0.4, 0.8, 0.9, 40.0)), upper])
-    >>> run = sp.simulate(both, sp.Room(), sp.near_fault()).named(["chest", "upper part"])
-    >>> piece = run["upper part"]
+    >>> chest = sp.Piece(sp.Body.box(0.4, 0.8, 0.9, 40.0), name="chest")
+    >>> upper = sp.Piece(sp.Body.box(0.4, 0.8, 0.9, 30.0), name="upper part", on="chest")
+    >>> piece = sp.simulate(sp.Scene([chest, upper]), sp.near_fault())["upper part"]
     >>> print(piece.outcome, piece.fell_off)
     fell off True
     """

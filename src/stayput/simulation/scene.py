@@ -184,8 +184,8 @@ class Scene:
     >>> body = sp.Body(width=0.3, height=1.8, mass=80.0, length=0.9)
     >>> bookcase = sp.Piece(body, against="left_wall", along=1.5)
     >>> scene = sp.Scene([bookcase], plan=sp.FloorPlan(width=3.6, length=2.7))
-    >>> print(scene.pieces[0].at, scene.around.right_wall.gap)
-    (0.17, 1.5, 0.0) 3.28
+    >>> print(f"{scene.pieces[0].at[0]:.2f}, {scene.around.right_wall.gap:.2f}")  # m
+    0.17, 3.28
     """
 
     pieces: Sequence[Piece]

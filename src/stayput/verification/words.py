@@ -87,12 +87,11 @@ def _titled(option: Option, verdict: Verdict, *, in_sentence: bool) -> Phrase:
     names, several = verdict.scenario.names, len(option.on) > 1
     labels = [other.option.label(names) for other in (*verdict.options, *verdict.impossible)]
     label, alone = option.label(names), labels.count(option.label(names)) == 1
-    named, english = option.own_name, label[0]
-    if in_sentence or (named and several):
+    english = label[0]
+    if in_sentence or (option.own_name and several):
         english = inside(english)
-    if named:
-        aside = english, label[1]
-        return with_aside(option.name, aside[0], "en"), with_aside(option.name, aside[1], "ja")
+    if option.own_name:
+        return with_aside(option.name, english, "en"), with_aside(option.name, label[1], "ja")
     if alone or not option.count:
         return english, label[1]
     return with_aside(english, option.name, "en"), with_aside(label[1], option.name, "ja")

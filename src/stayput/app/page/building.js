@@ -1,7 +1,13 @@
 // The building from outside, swaying: the ground, the storey of the furniture, the roof. Not to scale across.
 
-import { at } from "./canvas/painter.js";
 import { ink, line, prepared } from "./canvas/pen.js";
+
+/** A value of a history between its evenly spaced times. */
+function at(times, values, t) {
+  const place = ((t - times[0]) / (times[1] - times[0])) || 0,
+    i = Math.max(0, Math.min(times.length - 2, Math.floor(place)));
+  return values[i] + Math.min(1, place - i) * (values[i + 1] - values[i]);
+}
 
 /** Draws the building at a time; its sway is drawn larger than it is. */
 export function drawBuilding(canvas, building, floor, t) {

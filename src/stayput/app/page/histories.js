@@ -34,7 +34,6 @@ export function deviceKey({ runs }) {
 }
 
 const AXES = {
-  "": { dash: [], colour: "muted" },
   x: { dash: [], colour: "record" },
   y: { dash: [7, 4], colour: "calm" },
   z: { dash: [2, 3], colour: "pad" },
@@ -46,14 +45,13 @@ const lookOf = (i) => ({ dash: i === 0 ? [] : [7, 4], colour: i === 0 ? ink.alar
 const dashOf = (k) => DASHES[k % DASHES.length];
 
 /** What the lines of several pieces are: {name, colour, dash} for each; none of one piece. */
-export const piecesKey = ({ runs, inSpace }) =>
-  inSpace && runs[0].scene.bodies.length > 1
+export const piecesKey = ({ runs }) =>
+  runs[0].scene.bodies.length > 1
     ? runs[0].scene.bodies.map(({ name, colour }, k) => ({ name, colour, dash: dashOf(k).join(" ") }))
     : [];
 
 /** The lines of a history: of each run, or of each piece where there are several. */
-function series({ runs, inSpace }, key, factor) {
-  if (!inSpace) return runs.map((run, i) => ({ times: run.time_s, values: run[key], factor, ...lookOf(i) }));
+function series({ runs }, key, factor) {
   const several = runs[0].scene.bodies.length > 1;
   return runs.flatMap(({ time_s: times, scene }, i) =>
     scene.bodies.map(({ colour, ...body }, k) => {
@@ -74,36 +72,23 @@ function slenderness(bodies) {
 }
 
 /** The histories of a piece: in the plane along its depth, in space in any direction. */
-const moved = (result) =>
-  result.inSpace
-    ? [
-        {
-          title: say("tiltInSpace"),
-          unit: "°",
-          lines: series(result, "tilts", DEGREES),
-          floor: 0.5,
-          most: 3 * slenderness(result.runs[0].scene.bodies) * DEGREES,
-        },
-        { title: say("slideInSpace"), unit: "cm", lines: series(result, "slides", 100), floor: 0.5 },
-        { title: say("yawTitle"), unit: "°", lines: series(result, "yaws", DEGREES), floor: 0.5 },
-      ]
-    : [
-        {
-          title: say("tilt"),
-          unit: "°",
-          lines: series(result, "tilt_rad", DEGREES),
-          floor: 0.5,
-          most: 3 * result.runs[0].body.slenderness_rad * DEGREES,
-        },
-        { title: say("slide"), unit: "cm", lines: series(result, "slide_m", 100), floor: 0.5 },
-      ];
+function moved(result) {
+  const { inPlane, runs } = result,
+    most = 3 * slenderness(runs[0].scene.bodies) * DEGREES;
+  const panel = (key, unit, of, factor) => ({ title: say(key), unit, lines: series(result, of, factor), floor: 0.5 });
+  return [
+    { ...panel(inPlane ? "tilt" : "tiltInSpace", "°", "tilts", DEGREES), most },
+    panel(inPlane ? "slide" : "slideInSpace", "cm", "slides", 100),
+    ...(inPlane ? [] : [panel("yawTitle", "°", "yaws", DEGREES)]),
+  ];
+}
 
 /** The panels of a result: titles, units and lines. */
 function panels(result, end) {
   const { floor, runs } = result;
   const acceleration = floor.accelerations.map(({ axis, times, values }) => {
     const { dash, colour } = AXES[axis];
-    return { times, values, factor: 1, dash, colour: ink[colour], name: axis && say(`axis_${axis}`) };
+    return { times, values, factor: 1, dash, colour: ink[colour], name: say(`axis_${axis}`) };
   });
   const made = [{ title: say("acceleration"), unit: "m/s²", lines: acceleration }, ...moved(result)];
   const devices = drawn(runs.at(-1));

@@ -116,7 +116,7 @@ function tellOld() {
 
 function display() {
   const { result, scene, file } = shown;
-  see.show(result, scene);
+  see.show(result);
   pieces.list(file ? result.runs[0] : null, presets.outcomes, ownPiece);
   const first = t(file ? "piecesShaken" : "without");
   part("title-without").textContent = first;

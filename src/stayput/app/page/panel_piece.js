@@ -2,7 +2,7 @@
 
 import { oneOf } from "./controls.js";
 import { el, fill, part, svg } from "./dom.js";
-import { details, pathOf } from "./canvas/furniture.js";
+import { details, pathOf } from "./furniture.js";
 import { balance, change, current, fromPreset } from "./scene.js";
 import { choiceField, named, numberField, wordField } from "./scene_fields.js";
 import { both, length, number, t } from "./words.js";

@@ -3,16 +3,8 @@
 import { numbers } from "./canvas/numbers.js";
 import { spaceScene } from "./canvas/space_scene.js";
 
-const ARRAYS = ["time_s", "x_m", "z_m", "tilt_rad", "slide_m"];
-const LYING = 1; // what has overturned in space is shown so long as it comes to lie [s]
-
-function prepared(run) {
-  if (!run) return null;
-  const made = { ...run, devices: devices(run) };
-  for (const name of ARRAYS) made[name] = numbers(run[name]);
-  made.done_s = run.overturned ? made.time_s.at(-1) : 0;
-  return made;
-}
+const ROUNDED = 1e-4; // by how much times of events are rounded [s]
+const LYING = 1; // what has overturned is shown so long as it comes to lie [s]
 
 const devices = (run) =>
   run.devices.map((one) => ({
@@ -22,9 +14,8 @@ const devices = (run) =>
     shear_n: numbers(one.shear_n),
   }));
 
-/** A run in space: what happens to a piece after it overturned is no longer told. */
-function preparedInSpace(run, floor) {
-  if (!run) return null;
+/** A run: what happens to a piece after it overturned is no longer told. */
+function prepared(run, floor) {
   const scene = spaceScene({ ...run.scene, floor });
   const { bodies, times } = scene,
     ends = run.pieces.map((one) => one.overturn_time_s ?? Infinity);
@@ -32,9 +23,9 @@ function preparedInSpace(run, floor) {
     ...run,
     scene,
     devices: devices(run),
-    events: run.events.filter(({ time_s, piece }) => time_s <= ends[piece]),
+    events: run.events.filter(({ time_s, piece }) => time_s <= ends[piece] + ROUNDED),
     time_s: times,
-    tilt_rad: times.map((_, k) => Math.max(...bodies.map(({ tilts }) => tilts[k]))),
+    tilt_rad: times.map((_, k) => Math.max(...bodies.map(({ tilts }) => Math.abs(tilts[k])))),
     done_s: run.overturned ? Math.max(...ends.filter(Number.isFinite)) + LYING : 0,
   };
 }
@@ -48,31 +39,10 @@ const building = (told) =>
 
 /** An answer of "simulate", ready to be drawn. */
 export function shake(answer) {
-  if (answer.dimensions === 3) return shakeInSpace(answer);
-  const floor = answer.floor,
-    values = numbers(floor.acceleration_m_s2),
-    times = numbers(floor.time_s);
-  return {
-    inSpace: false,
-    motion: answer.motion,
-    view: answer.view,
-    floor: {
-      time_s: times,
-      x_m: numbers(floor.x_m),
-      accelerations: [{ axis: "", times, values }],
-      scale: floor.scale_shown,
-    },
-    building: building(answer.building),
-    runs: [prepared(answer.without), prepared(answer.with)].filter(Boolean),
-    end: times.at(-1),
-  };
-}
-
-function shakeInSpace(answer) {
-  const runs = [answer.without, answer.with].map((run) => preparedInSpace(run, answer.floor)).filter(Boolean);
+  const runs = [answer.without, answer.with].filter(Boolean).map((run) => prepared(run, answer.floor));
   const { scene } = runs[0];
   return {
-    inSpace: true,
+    inPlane: answer.engine === "plane",
     motion: answer.motion,
     floor: {
       time_s: scene.times,
@@ -114,10 +84,10 @@ function strongest({ accelerations }) {
 
 /** The instant that says most about a run: just before the body lies, or where it leans most. */
 export function telling(run) {
-  if (run.overturned) return Math.max(0, (run.overturn_time_s ?? run.time_s.at(-1)) - 0.25);
+  if (run.overturned) return Math.max(0, run.overturn_time_s - 0.25);
   let most = 0;
   run.tilt_rad.forEach((tilt, i) => {
-    if (Math.abs(tilt) > Math.abs(run.tilt_rad[most])) most = i;
+    if (tilt > run.tilt_rad[most]) most = i;
   });
   return run.time_s[most];
 }

@@ -4,71 +4,56 @@ import { el, fill, part, svg } from "./dom.js";
 import { drawBuilding } from "./building.js";
 import { deviceKey, drawHistories, piecesKey, setHistories, timeAt } from "./histories.js";
 import { shownSpan, telling } from "./runs.js";
-import { drawScene } from "./canvas/painter.js";
 import * as stages from "./stages.js";
 import * as transport from "./transport.js";
 import { both, length, number, t } from "./words.js";
 
 let result = null,
-  look = null,
   modes = {};
 
 export const clock = transport.clock;
 
 function draw(now) {
   if (!result) return;
-  if (result.inSpace) drawInSpace(now);
-  else drawInPlane(now);
+  result.runs.forEach(({ scene }, i) => {
+    stages.draw(i, now);
+    tellNow(i ? "with" : "without", scene, now);
+  });
   if (result.building && part("tower").clientWidth)
     drawBuilding(part("tower"), result.building, result.floor, now);
   drawHistories(part("histories"), now);
 }
 
-function drawInSpace(now) {
-  result.runs.forEach((run, i) => {
-    stages.draw(i, now);
-    const states = run.scene.bodies.map((body) => body.state(now)),
-      most = states.reduce((one, other) => (other.tilt > one.tilt ? other : one));
-    part(i ? "now-with" : "now-without").textContent = t(states.length > 1 ? "nowMost" : "nowInSpace", {
-      tilt: number(degrees(most.tilt), 1),
-      slide: length(most.slide),
-      yaw: number(Math.abs(degrees(most.yaw))),
-    });
+/** Says how what stands there moves now: of several pieces that which is tilted most. */
+function tellNow(which, scene, now) {
+  const states = scene.bodies.map((body) => body.state(now)),
+    most = states.reduce((one, other) => (other.tilt > one.tilt ? other : one)),
+    mode = modes[scene.mode(now)];
+  const key = mode ? "nowInPlane" : states.length > 1 ? "nowMost" : "nowInSpace";
+  part(`now-${which}`).textContent = t(key, {
+    mode: mode?.label,
+    tilt: number(Math.abs(degrees(most.tilt)), 1),
+    slide: length(Math.abs(most.slide)),
+    yaw: number(Math.abs(degrees(most.yaw))),
   });
-}
-
-function drawInPlane(now) {
-  result.runs.forEach((run, i) => {
-    const canvas = part(i ? "stage-with" : "stage-without");
-    if (!canvas.clientWidth) return;
-    const pose = drawScene(canvas, result, run, now, {
-      kind: look.piece,
-      loads: look.shelves,
-      colours: modes.colours,
-    });
-    part(i ? "now-with" : "now-without").textContent =
-      `${modes.labels[pose.mode] ?? pose.mode} · ${number(degrees(Math.abs(pose.tilt)), 1)}°`;
-    part(i ? "chip-with" : "chip-without").style.background = modes.colours[pose.mode];
-  });
+  part(`chip-${which}`).hidden = !mode;
+  if (mode) part(`chip-${which}`).style.background = mode.colour;
 }
 
 const degrees = (angle) => (angle * 180) / Math.PI;
 
 /** Reads what the server calls the modes, and their colours. */
 export function name(presets) {
-  modes = {
-    colours: Object.fromEntries(presets.modes.map((one) => [one.id, one.colour])),
-    labels: Object.fromEntries(presets.modes.map((one) => [one.id, both(one.label)])),
-  };
+  modes = Object.fromEntries(presets.modes.map(({ id, colour, label }) => [id, { colour, label: both(label) }]));
   clock.redraw();
 }
 
-/** Shows a result: runs, floor and building of one simulation, for a scene. */
-export function show(shaken, scene) {
+/** Shows a result: runs, floor and building of one simulation. */
+export function show(shaken) {
   result = shaken;
-  look = scene;
   const { start, end } = shownSpan(shaken);
-  chooseStages(shaken);
+  stages.show(shaken.runs.map((run) => run.scene));
+  part("in-plane-note").hidden = !shaken.inPlane;
   part("figure-with").hidden = part("key-with").hidden = shaken.runs.length < 2;
   part("stages").dataset.count = String(shaken.runs.length);
   part("tower-box").hidden = !shaken.building;
@@ -76,8 +61,7 @@ export function show(shaken, scene) {
   part("says-with").textContent = shaken.runs[1] ? both(shaken.runs[1].sentence) : "";
   shaken.runs.forEach((run, i) => {
     const which = i ? "with" : "without";
-    for (const kind of ["stage", "space"])
-      part(`${kind}-${which}`).setAttribute("aria-label", `${t(which)}${t("colon")}${both(run.sentence)}`);
+    part(`stage-${which}`).setAttribute("aria-label", `${t(which)}${t("colon")}${both(run.sentence)}`);
   });
   setHistories(part("histories"), shaken, end);
   showKeys(deviceKey(shaken), piecesKey(shaken));
@@ -93,18 +77,6 @@ export function show(shaken, scene) {
 }
 
 const peaks = (run) => run.pieces.map((one) => one.peak_tilt_rad);
-
-/** Shows the pictures of the plane or of space, and what belongs to them. */
-function chooseStages({ inSpace, runs }) {
-  for (const which of ["without", "with"]) {
-    part(`stage-${which}`).hidden = part(`chip-${which}`).hidden = inSpace;
-    part(`space-${which}`).hidden = !inSpace;
-  }
-  part("views").hidden = part("turning").hidden = !inSpace;
-  part("in-plane-note").hidden = inSpace;
-  if (inSpace) stages.show(runs.map((run) => run.scene));
-  else part("flat").hidden = true;
-}
 
 /** Says which line of the forces is of which device, and which of the others of which piece. */
 function showKeys({ lines, more }, pieces) {
@@ -133,7 +105,7 @@ export function again(presets) {
   name(presets);
   transport.again();
   stages.build();
-  if (result) show(result, look);
+  if (result) show(result);
 }
 
 /** Wires the buttons, the keys and the pictures that the time is chosen on. */

@@ -1,4 +1,4 @@
-// The stages of runs in space: their pictures, and the camera that is led round all of them at once.
+// The stages of runs: their pictures, and the camera that is led round all of them at once.
 
 import { VIEWS, lead, orbit } from "./canvas/camera.js";
 import { prefersReducedMotion } from "./canvas/clock.js";
@@ -17,7 +17,8 @@ const stages = [...document.querySelectorAll("canvas.round-about")].map((canvas)
 }));
 let again = () => {},
   views = null,
-  view = "free",
+  view = null,
+  chosen = false, // whether the reader has chosen from where it is seen
   shaken = null; // whether the room moves with the ground
 
 /** Lets the cameras be led over the pictures; "changed" is called after each change. */
@@ -37,8 +38,7 @@ export function wire(changed) {
       capture: true,
     });
     lead(canvas, led, () => {
-      view = null;
-      views?.set(null);
+      look(null);
       again();
     });
     canvas.addEventListener("webglcontextrestored", () => again());
@@ -52,8 +52,7 @@ export function build() {
     label: t("view"),
     options: Object.keys(VIEWS).map((id) => ({ id, label: t(`view_${id}`) })),
     changed: (id) => {
-      view = id;
-      for (const { camera } of stages) camera?.view(id);
+      look(id);
       again();
     },
   });
@@ -69,7 +68,19 @@ export function build() {
   fill(part("views"), views.element, moving.element);
 }
 
-/** Takes the scenes of runs in space; the pictures are seen from where those before them were. */
+/** Looks from one of VIEWS, or by null from where the reader has led the cameras. */
+function look(from) {
+  chosen = true;
+  turn(from);
+}
+
+function turn(from) {
+  view = from;
+  views?.set(from);
+  if (from) for (const { camera } of stages) camera?.view(from);
+}
+
+/** Takes the scenes of runs; they are seen from where the reader has chosen, else as each kind best is. */
 export function show(scenes) {
   scenes.forEach((scene, i) => {
     const stage = stages[i],
@@ -83,6 +94,7 @@ export function show(scenes) {
       stage.painter = painter ?? flatPainter(stage.canvas, scene);
     }
   });
+  if (!chosen) turn(scenes[0].from);
   part("flat").hidden = stages[0].solid;
 }
 

@@ -64,9 +64,9 @@ function peaks(run) {
     .flatMap((one) => [
       t("peakTilt", { tilt: number((one.peak_tilt_rad * 180) / Math.PI, 1) }),
       t("peakSlide", { slide: length(one.peak_slide_m) }),
-      ...(run.scene
-        ? [t("turnedAtEnd", { yaw: number((Math.abs(one.residual_yaw_rad) * 180) / Math.PI, 1) })]
-        : []),
+      ...(run.scene.modes.length
+        ? []
+        : [t("turnedAtEnd", { yaw: number((Math.abs(one.residual_yaw_rad) * 180) / Math.PI, 1) })]),
     ]);
   for (const one of run.devices)
     parts.push(

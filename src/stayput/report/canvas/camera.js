@@ -10,7 +10,7 @@ const OPENING = (28 * Math.PI) / 180, // angle of the picture's height
 
 /** Directions from which a scene is seen: azimuth from x towards y, and height above the floor [rad]. */
 export const VIEWS = {
-  free: [-1.02, 0.33], // as in the films: stayput/report/space/camera.py
+  free: [-1.02, 0.33], // this and "side" as in the films: stayput/report/film/frames.py
   front: [0, 0.06],
   side: [-Math.PI / 2, 0.06],
   top: [-Math.PI / 2, STEEPEST],

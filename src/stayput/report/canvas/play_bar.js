@@ -51,11 +51,12 @@ export function playBar(film, { start, end }, draw) {
   return {
     clock,
     again,
-    begin(plays = true) {
+    begin() {
       const wanted = Number(location.hash.slice(1));
       const chosen = location.hash && Number.isFinite(wanted);
       readInks();
-      clock.span(start, end, chosen ? wanted : start, chosen || !plays || prefersReducedMotion());
+      const shown = film.plays ? start : film.telling_s;
+      clock.span(start, end, chosen ? wanted : shown, chosen || !film.plays || prefersReducedMotion());
       again();
     },
   };

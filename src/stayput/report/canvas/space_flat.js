@@ -1,11 +1,28 @@
-// Draws a scene in space without WebGL: the faces that look at the eye, outlined, on a floor of lines.
+// Draws a scene without WebGL: the faces that look at the eye, outlined, between floor, walls and ceiling of lines.
 
 import { ink, line, prepared } from "./pen.js";
+import { surfaces } from "./space_scene.js";
 import { mat, vec } from "./vectors.js";
 
 const STROKE = 1.5; // width of the lines [pixels]
 
 const middle = (points) => vec.times(points.reduce(vec.plus), 1 / points.length);
+
+/** Draws the floor, a wall or the ceiling: shaded, with its grid. */
+function drawFace(pen, seen, corners, grid) {
+  pen.globalAlpha = 0.12;
+  pen.fillStyle = ink.room;
+  pen.beginPath();
+  for (const corner of corners) pen.lineTo(...seen(corner));
+  pen.fill();
+  pen.globalAlpha = 1;
+  const [one, , other] = corners;
+  for (const axis of [0, 1, 2].filter((i) => one[i] !== other[i]))
+    for (let k = Math.ceil(one[axis] / grid); k * grid <= other[axis]; k++) {
+      const ends = [one, other].map((end) => end.map((x, i) => (i === axis ? k * grid : x)));
+      line(pen, ink.faint, 1, ends.map(seen));
+    }
+}
 
 /** Draws what does not move: shaded faces, and lines. */
 function drawStill(pen, seen, { ink: name, shade, faces, lines }) {
@@ -34,16 +51,8 @@ export function flatPainter(canvas, first) {
       const [x, y, , w] = mat.image(whole, point);
       return [(0.5 + (0.5 * x) / w) * width, (0.5 - (0.5 * y) / w) * height];
     };
-    const { low, high, grid } = scene;
-    const ends = [0, 1].map((axis) => [Math.floor(low[axis] / grid) - 1, Math.ceil(high[axis] / grid) + 1]);
-    for (const axis of [0, 1])
-      for (let k = ends[axis][0]; k <= ends[axis][1]; k++)
-        line(
-          pen,
-          ink.faint,
-          1,
-          ends[1 - axis].map((end) => seen(axis ? [end * grid, k * grid, 0] : [k * grid, end * grid, 0])),
-        );
+    for (const { corners, normal, offset } of surfaces({ ...scene, size: 0.5 * scene.grid }))
+      if (vec.dot(normal, from) > offset) drawFace(pen, seen, corners, scene.grid);
     const bodies = scene.bodies.map((body, b) => {
       const matrix = body.matrix(t),
         corners = body.shape.vertices_m.map((corner) => mat.image(matrix, corner).slice(0, 3));

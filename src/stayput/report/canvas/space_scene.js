@@ -1,5 +1,5 @@
-// A scene in space as it is read from its data, and where everything is at a time. What the data hold is said
-// by stayput/report/space/scene.py.
+// A scene as it is read from its data, and where everything is at a time. What the data hold is said by
+// stayput/report/film/scene.py.
 
 import { numbers } from "./numbers.js";
 import { between, mat, vec } from "./vectors.js";
@@ -51,13 +51,18 @@ export function spaceScene(data) {
     const values = numbers(text);
     return { axis, values, times: values.map((_, i) => i * dt) };
   });
-  const { low_m: low, high_m: high, grid_m: grid, points_m: points } = data.view;
+  const { from, low_m: low, high_m: high, grid_m: grid, points_m: points } = data.view;
   return {
     start,
     end,
     times,
     bodies,
     accelerations,
+    /** From where it is seen at first: one of VIEWS. */
+    from,
+    modes: data.modes,
+    /** How the body moves at a time, in the plane. */
+    mode: (t) => data.modes.findLast(([start], i) => i === 0 || start <= t)?.[1],
     /** Both ends of all devices in the room, by the bodies' matrices, and whether each has failed. */
     ties: (matrices, t) => ends.map((tie) => tie(matrices, t)),
     shift: (t) => along(shift, 3, t),

@@ -28,7 +28,7 @@ export function drawRows(canvas, rows, { start, end, now, below = 0 }) {
     ]);
     pen.save();
     pen.beginPath();
-    pen.rect(0, k * each, width, each);
+    pen.rect(LEFT, k * each, width - LEFT - RIGHT, each);
     pen.clip();
     for (const { times, values, colour, width: wide = 1.2 } of series)
       line(

@@ -17,7 +17,7 @@ import numpy as np
 from stayput.catalogue import say
 from stayput.model.floor_plan import rectangle
 from stayput.model.room import WALLS_AROUND
-from stayput.report.space.shape import swing_of
+from stayput.report.film.shape import swing_of
 from stayput.report.verdict import svg
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from stayput.measures import hold, shapes
+from stayput.measures import hold, sketch
 from stayput.measures.element import at_rest
 from stayput.model.state import State, standing_corners, wall_faces
 from stayput.report.names import named
@@ -120,14 +120,13 @@ def piece_svg(held: Held, place: Callable[[float, float], tuple[float, float]]) 
     body = held.body
     a, b, c, d = standing_corners(body, State())
     parts = [svg.polygon([place(*corner) for corner in (a, b, d, c)], "piece")]
-    x, z = at_rest(body, body.centre_of_gravity)
-    for shape in shapes(held, x, z, body.resting_tilt):
-        points = [place(*point) for point in shape["points"]]
-        if shape["kind"] == "polygon":
-            parts.append(svg.polygon(points, f"shape {shape['role']}"))
+    for shape in sketch(held):
+        points = [place(*point) for point in shape.points]
+        if shape.kind == "polygon":
+            parts.append(svg.polygon(points, f"shape {shape.role}"))
         else:
             across, up = zip(*points, strict=True)
-            parts.append(svg.polyline(across, up, f"shape {shape['role']} open"))
+            parts.append(svg.polyline(across, up, f"shape {shape.role} open"))
     return parts
 
 

@@ -8,26 +8,16 @@ from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
-from stayput.catalogue import phrase, say
+from stayput.catalogue import say
 from stayput.measures import parameters
 from stayput.montecarlo.counting import OVERTURNED
-from stayput.report.page import file_of, framed, rendered, script_json, script_module, write_page
-from stayput.report.palette import mode_looks
-from stayput.report.scene import DRIFT_CORNER
-from stayput.report.summary import sentences_of_piece
+from stayput.report.page import framed, rendered, write_page
 from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import assumptions, told
 from stayput.report.verdict.curves import curves_svg, legend, looks
 from stayput.report.verdict.drawing import drawing_svg
 from stayput.report.verdict.numbers import word
-from stayput.report.verdict.pairs import (
-    about_case,
-    histories_svg,
-    motion_told,
-    pairs_of,
-    pairs_of_several,
-    space_pairs,
-)
+from stayput.report.verdict.pairs import pairs_of
 from stayput.report.verdict.tables import (
     DEVICE_COLUMNS,
     SHARES,
@@ -46,9 +36,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.measures import Measure
-    from stayput.report.scene import PlaneScene
     from stayput.report.verdict.assumptions import Assumption
-    from stayput.report.verdict.pairs import RunPair
     from stayput.rooms.verdict import RoomVerdict
     from stayput.verification import Verdict
     from stayput.verification.verdict import OptionVerdict
@@ -135,18 +123,14 @@ def _of_a_ranking(
         **shared_content(verdict, texts, kind, ["verdict/report.css"], rests_on, language),
         "simulations": simulations(verdict, language),
         "impossible": impossible_rows(verdict, language),
+        "pairs": pairs_of(verdict, language),
         "device_columns": [word(key, language) for key in DEVICE_COLUMNS],
         "command": shlex.join([*command, "--lang", language, "--report", "report.html"]),
     }
 
 
 def _content(verdict: Verdict, language: str) -> dict[str, Any]:
-    scenario = verdict.scenario
-    ground = scenario.ground()
-    in_space = scenario.dimensions == 3
-    pairs = () if in_space else pairs_of(verdict, ground)
-    modes = mode_looks(language)
-    scenes = {"modes": modes, "pairs": [pair.data(scenario.piece) for pair in pairs]}
+    shaking = verdict.scenario.shaking
     return {
         **_of_a_ranking(verdict, "report", word("report", language), assumptions(verdict), language),
         "headline": verdict.sentence(language),
@@ -159,14 +143,9 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
         "after": _drawn(verdict, verdict.best, language) if verdict.best.option.measures else None,
         "curves": Markup(curves_svg(verdict, language)) if verdict.best.curves else None,
         "legend": legend(verdict, language),
-        "pairs": [_pair(verdict, pair, language) for pair in pairs],
-        "space_pairs": space_pairs(verdict, ground, language) if in_space else [],
-        "modes": modes.values(),
-        "scenes": Markup(script_json(scenes)),
         "details": [_detail(item, verdict, language) for item in verdict.options if item.option.measures],
         "estimates": estimate_rows(verdict, language),
-        "reads_files": scenario.shaking.record is not None or isinstance(scenario.shaking.suite, str),
-        "script": Markup(script_module(file_of("verdict/report.js"))),
+        "reads_files": shaking.record is not None or isinstance(shaking.suite, str),
     }
 
 
@@ -179,7 +158,6 @@ def _content_of_several(verdict: Verdict, language: str) -> dict[str, Any]:
         **content,
         "headline": verdict.sentence(language),
         "rows": rows,
-        "pairs": pairs_of_several(verdict, language),
         "device_columns": [say("several.holds", language), *content["device_columns"]],
         "details": [(row, device_rows(row.option, language)) for row in rows if row.option.devices],
     }
@@ -195,46 +173,6 @@ def _drawn(verdict: Verdict, result: OptionVerdict, language: str) -> dict[str, 
         "grade": verdict.grade(result).value,
         "weakest": weakest_inputs(result, verdict, language),
     }
-
-
-def _place_of_the_measure(verdict: Verdict, pair: RunPair, language: str) -> str:
-    """Return whether the measure's run in a typical case is one of those that overturn, and how many do.
-
-    The case is typical of the piece without a measure: the measure may fail in it and hold in most others.
-    """
-    chance = verdict.best.probabilities[OVERTURNED]
-    if pair.kind != "typical" or len(pair.options) == 1 or chance.runs == 0:
-        return ""
-    held = "typical_never_falls" if chance.estimate == 0.0 else "typical_is_held"
-    key = "typical_also_falls" if pair.scene.runs[1].overturned else held
-    text = word(key, language, share=numbers.share(chance.estimate, language))
-    return f" {text}" if language == "en" else text
-
-
-def _pair(verdict: Verdict, pair: RunPair, language: str) -> dict[str, Any]:
-    scene = pair.scene
-    labels = [title(option, verdict, language) for option in pair.options]
-    said = [say(sentences_of_piece(run), language) for run in scene.runs]
-    sides = [{"label": label, "outcome": outcome} for label, outcome in zip(labels, said, strict=True)]
-    outcomes = [f"{side['label']}{word('colon', language)}{side['outcome']}" for side in sides]
-    about = about_case(pair.kind, len(sides), phrase("common.without"), language)
-    return {
-        "title": word(pair.kind, language),
-        "about": about + _place_of_the_measure(verdict, pair, language),
-        "motion": motion_told(verdict, pair.member, scene.runs[0], (scene.start, scene.end), language),
-        "moved": _moved(scene, language),
-        "sides": sides,
-        "chart": Markup(histories_svg(pair, language, (" " if language == "en" else "").join(outcomes))),
-    }
-
-
-def _moved(scene: PlaneScene, language: str) -> str:
-    """Return how the room moves in the scenes."""
-    text = word("watch_text", language, corner=f"{DRIFT_CORNER:g}", grid=f"{scene.view.grid:g}")
-    if scene.shift_scale >= 1.0:
-        return text
-    joint = " " if language == "en" else ""
-    return text + joint + word("part_shown", language, part=f"{100.0 * scene.shift_scale:.0f}")
 
 
 def _detail(result: OptionVerdict, verdict: Verdict, language: str) -> dict[str, Any]:

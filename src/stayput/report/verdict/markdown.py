@@ -41,7 +41,7 @@ def verdict_markdown(verdict: Verdict, language: str = "en") -> str:
     language : str
         "en" or "ja".
     """
-    text, plain = partial(word, language=language), partial(say, language=language)
+    text, of_several = partial(word, language=language), partial(say, language=language)
     alone, rows = verdict.scenario.alone, ranking(verdict, language)
     devices = [
         (title(row.option.option, verdict, language), *each)
@@ -56,10 +56,14 @@ def verdict_markdown(verdict: Verdict, language: str = "en") -> str:
         about, below = "", f"\n{plain(grades_text(language))}"
         held, heading = (option,), text("devices")
     else:
-        option, any_piece, kind = plain("several.option"), plain("several.any"), plain("several.report")
-        further = plain("several.each"), text("slide_both"), text("why")
-        about, below = f"{plain('several.about')}\n", ""
-        held, heading = (option, plain("several.holds")), plain("several.details")
+        option, any_piece, kind = (
+            of_several("several.option"),
+            of_several("several.any"),
+            of_several("several.report"),
+        )
+        further = of_several("several.each"), text("slide_both"), text("why")
+        about, below = f"{of_several('several.about')}\n", ""
+        held, heading = (option, of_several("several.holds")), of_several("several.details")
     estimates: tuple[str, ...] = ()
     if verdict.estimates is not None:
         rows_of_formulas = table(

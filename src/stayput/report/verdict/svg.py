@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from dataclasses import dataclass
 from html import escape
@@ -100,18 +99,3 @@ def ticks(low: float, high: float, count: int) -> list[float]:
     power = 10.0 ** math.floor(math.log10(rough))
     step = power * next(s for s in (1.0, 2.0, 5.0, 10.0) if s * power >= rough * (1.0 - 1e-9))
     return [step * k for k in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1)]
-
-
-def thinned(
-    x: NDArray[np.float64], y: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return a shorter line: the least and the greatest value of each of many intervals, in order."""
-    if len(x) <= 2 * PAIRS:
-        return x, y
-    edges = np.linspace(0, len(x), PAIRS + 1).astype(np.intp)
-    places = {0, len(x) - 1}
-    for first, last in itertools.pairwise(edges):
-        part = y[first:last]
-        places |= {int(first + part.argmin()), int(first + part.argmax())}
-    chosen = np.array(sorted(places))
-    return x[chosen], y[chosen]

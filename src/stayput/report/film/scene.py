@@ -1,7 +1,7 @@
-"""A scene in space: bodies, room and floor over time, which every picture and page draws.
+"""A scene: bodies, room and floor of a run over time, which every film and page draws.
 
-`SpaceScene.data` is the one form in which it leaves Python. ``report/canvas/space.js`` draws it;
-`stayput.report.space.frames` draws it with Pillow.
+`FilmScene.data` is the one form in which it leaves Python. ``report/canvas/space.js`` draws it;
+`stayput.report.film.frames` draws it with Pillow.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ import numpy as np
 
 from stayput.measures.pole import TensionPole
 from stayput.mechanics.space.touching import ROOM
+from stayput.report.film.shape import SolidShape, StillShape, rounded, shape_of, still_of
+from stayput.report.history import spans
 from stayput.report.palette import BODY_COLOURS
-from stayput.report.scene import SHIFT_SHOWN, TIME_DIGITS, View, ground_displacement, rounded
-from stayput.report.space.shape import SolidShape, StillShape, shape_of, still_of
 from stayput.simulation.space_records import matrices
 
 if TYPE_CHECKING:
@@ -25,7 +25,17 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.motion import Motion
     from stayput.simulation.run import Run
+
+DRIFT_CORNER = 0.1
+"""Ground displacement slower than this is taken out of the picture [Hz]."""
+
+SHIFT_SHOWN = 0.5
+"""Largest displacement of the floor that is drawn, in sizes of the bodies; a larger one is drawn smaller."""
+
+TIME_DIGITS = 4
+"""Digits of times [s] in a scene's data."""
 
 RATE = 60.0
 """Most poses a second in a scene; pages and films turn between them."""
@@ -65,13 +75,13 @@ class DrawnTie(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class SpaceScene:
-    """A run in space, ready to be drawn.
+class FilmScene:
+    """A run, ready to be drawn.
 
     Parameters
     ----------
     run : Run
-        The run.
+        The run, with what `stayput.report.film.posed` adds to one in the plane.
     names : tuple of str
         What the bodies are called.
     shapes : tuple of SolidShape
@@ -89,7 +99,7 @@ class SpaceScene:
     ties : tuple of DrawnTie
         The devices and joints.
     points : ndarray, shape (k, 3)
-        The outermost points of the bodies over time, which the picture shows [m].
+        The outermost points of the bodies over time and of what holds them, which the picture shows [m].
     still : tuple of StillShape
         Places of people, doors and windows.
     """
@@ -128,9 +138,16 @@ class SpaceScene:
 
     @property
     def grid(self) -> float:
-        """Distance of the lines on the floor [m], a round number."""
-        across = max(self.high[:2] - self.low[:2])
-        return View(0.0, across, 0.0, float(self.high[2] - self.low[2])).grid
+        """Distance of the lines on the floor [m]: a round number, some five to a dozen in a picture."""
+        wide, long, tall = self.high - self.low
+        rough = max(wide, long, 1.3 * tall) / 8.0
+        power = 10.0 ** math.floor(math.log10(rough))
+        return power * next(step for step in (1.0, 2.0, 5.0, 10.0) if step * power >= rough)
+
+    @property
+    def view(self) -> str:
+        """From where it is seen at first: a key of `stayput.report.film.frames.VIEWS`."""
+        return "side" if self.run.engine == "plane" else "free"
 
     @property
     def planes(self) -> list[tuple[float, float, float, float]]:
@@ -164,9 +181,11 @@ class SpaceScene:
         dict
             ``poses``: ``start_s``, ``end_s``, ``count``. ``floor``: ``shift_m`` (at the poses), ``dt_s`` and
             ``acceleration_m_s2`` by components (at the motion's samples). ``planes``: walls and ceiling.
-            ``view``: ``low_m``, ``high_m``, ``grid_m``, ``points_m``. ``bodies``: ``name``, ``colour``,
-            ``shape`` (see `SolidShape.data`), ``centre_of_gravity_m``, ``footprint_m`` (where it first stood
-            on the floor), and at the poses ``place_m``, ``attitude``, ``tilt_rad``, ``slide_m``, ``yaw_rad``.
+            ``view``: ``from`` (see `FilmScene.view`), ``low_m``, ``high_m``, ``grid_m``, ``points_m``.
+            ``bodies``: ``name``, ``colour``, ``shape`` (see `SolidShape.data`), ``centre_of_gravity_m``,
+            ``footprint_m`` (where it first stood on the floor), and at the poses ``place_m``, ``attitude``,
+            ``tilt_rad``, ``slide_m``, ``yaw_rad``; tilt and slide have signs in the plane.
+            ``modes``: pairs of the time from which the body moves in a mode, and the mode; none in space.
             ``still``: see `StillShape.data`.
             ``ties``: ``body``, ``point_m``, ``other``, ``anchor_m``, ``lost_s`` or None; see `DrawnTie`.
         """
@@ -184,6 +203,7 @@ class SpaceScene:
             },
             "planes": self.planes,
             "view": {
+                "from": self.view,
                 "low_m": rounded(self.low),
                 "high_m": rounded(self.high),
                 "grid_m": self.grid,
@@ -204,6 +224,7 @@ class SpaceScene:
                 }
                 for b, (standing, piece) in enumerate(zip(run.standing, run.pieces, strict=True))
             ],
+            "modes": [(round(start, TIME_DIGITS), mode.value) for start, _, mode in spans(run)],
             "still": [shape.data() for shape in self.still],
             "ties": [
                 {
@@ -253,13 +274,27 @@ def packed(values: NDArray[np.float64]) -> str:
     return base64.b64encode(values.astype("<f4").tobytes()).decode("ascii")
 
 
-def space_scene(run: Run, names: tuple[str, ...], beside: Sequence[Run] = ()) -> SpaceScene:
-    """Make a run in space ready to be drawn.
+def ground_displacement(motion: Motion) -> NDArray[np.float64]:
+    """Return the ground's displacement along x for a picture [m], shape (n,).
+
+    The acceleration is integrated twice in the frequency domain with the gain 1/(1 + (f_c/f)⁴), so
+    that what is slower than f_c = `DRIFT_CORNER` does not carry the room out of view. The phase is kept.
+    """
+    padding = math.ceil(2.0 / DRIFT_CORNER / motion.dt)
+    length = 1 << (len(motion) + 2 * padding - 1).bit_length()
+    f = np.fft.rfftfreq(length, motion.dt)
+    gain = -(f**2) / (f**4 + DRIFT_CORNER**4) / (2.0 * math.pi) ** 2
+    shown = np.fft.irfft(gain * np.fft.rfft(motion.x, length), length)
+    return np.asarray(shown[: len(motion)], dtype=np.float64)
+
+
+def scene_of(run: Run, names: tuple[str, ...], beside: Sequence[Run] = ()) -> FilmScene:
+    """Make a run ready to be drawn.
 
     Parameters
     ----------
     run : Run
-        The run, of two samples at least.
+        The run, of two samples at least; one in the plane as `posed` makes it.
     names : tuple of str
         What the bodies are called.
     beside : sequence of Run
@@ -271,8 +306,12 @@ def space_scene(run: Run, names: tuple[str, ...], beside: Sequence[Run] = ()) ->
     times = np.linspace(start, end, count)
     place, attitude = _between(run.time, run.place, run.attitude, times)
     views = [_outermost(other) for other in beside or (run,)]
-    still = still_of(run)
-    points = _at_the_rim(np.concatenate([*(points for points, _ in views), *(s.points for s in still)]))
+    still, ties = still_of(run), [tie for other in beside or (run,) for tie in _ties(other)]
+    fixed = [
+        *(shape.points for shape in still),
+        *(tie.anchor[np.newaxis] for tie in ties if tie.other is None),
+    ]
+    points = _at_the_rim(np.concatenate([*(points for points, _ in views), *fixed]))
     size = max(size for _, size in views)
     ground = np.zeros((len(run.motion), 3))
     for name in run.motion.components:
@@ -281,7 +320,7 @@ def space_scene(run: Run, names: tuple[str, ...], beside: Sequence[Run] = ()) ->
     scale = min(1.0, SHIFT_SHOWN * size / largest) if largest > 0.0 else 1.0
     shift = np.column_stack([scale * np.interp(times, run.motion.time, along) for along in ground.T])
     shapes = tuple(shape_of(piece.solid) for piece in run.standing)
-    return SpaceScene(run, names, shapes, times, place, attitude, shift, scale, _ties(run), points, still)
+    return FilmScene(run, names, shapes, times, place, attitude, shift, scale, _ties(run), points, still)
 
 
 def _ties(run: Run) -> tuple[DrawnTie, ...]:
@@ -352,4 +391,5 @@ def _at_the_rim(points: NDArray[np.float64]) -> NDArray[np.float64]:
     turn = math.pi * (3.0 - math.sqrt(5.0)) * np.arange(_DIRECTIONS)
     across = np.sqrt(1.0 - height**2)
     directions = np.column_stack((across * np.cos(turn), across * np.sin(turn), height))
-    return points[np.unique((points @ directions.T).argmax(axis=0))]
+    along = np.einsum("di,ip->dp", directions, np.ascontiguousarray(points.T))  # with a thread of its own
+    return points[np.unique(along.argmax(axis=1))]

@@ -1,4 +1,4 @@
-"""Frames of an animation in space, drawn with Pillow: from the far bodies to the near ones."""
+"""Frames of an animation, drawn with Pillow: from the far bodies to the near ones."""
 
 from __future__ import annotations
 
@@ -11,10 +11,12 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFilter
 
 from stayput.catalogue import say
-from stayput.report.frames import FrameLayout
-from stayput.report.palette import ALARM, INK, PAPER, ROLE_COLOURS, ROOM, rgb
-from stayput.report.space.scene import body_colour
-from stayput.report.space.shape import OPENINGS, STILL_LOOKS, StillShape, cut
+from stayput.catalogue.names import MODES
+from stayput.report.film.layout import FrameLayout
+from stayput.report.film.scene import body_colour
+from stayput.report.film.shape import OPENINGS, STILL_LOOKS, StillShape, cut
+from stayput.report.palette import ALARM, INK, MODE_COLOURS, PAPER, ROLE_COLOURS, ROOM, rgb
+from stayput.simulation.outcome import Mode
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -22,8 +24,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.report.animation import Film
-    from stayput.report.space.scene import SpaceScene
-    from stayput.report.space.shape import SolidShape
+    from stayput.report.film.shape import SolidShape
 
 
 Colour: TypeAlias = str | int | tuple[int, ...]
@@ -56,8 +57,8 @@ class DrawnHull(NamedTuple):
     on_faces: NDArray[np.float64]
 
 
-class SpacePainter:
-    """Draws the frames of one film in space.
+class Painter:
+    """Draws the frames of one film.
 
     Parameters
     ----------
@@ -67,11 +68,10 @@ class SpacePainter:
         Size of a frame [pixels].
     """
 
-    def __init__(self, film: Film[SpaceScene], width: int, height: int) -> None:
+    def __init__(self, film: Film, width: int, height: int) -> None:
         self._film, scene = film, film.scene
-        motion = scene.run.motion
-        self._layout = FrameLayout(film, motion.components, motion.time, width, height)
-        self._camera = Camera(scene.points, *self._layout.scene)
+        self._layout = FrameLayout(film, width, height)
+        self._camera = Camera(scene.points, *self._layout.scene, VIEWS[scene.view])
         self._line = self._layout.line
         self._openings, self._swings = list[StillShape](), list[StillShape]()
         for shape in scene.still:
@@ -124,20 +124,25 @@ class SpacePainter:
                 _draw_still(pen, camera, self._line, opening)
         self._draw_ties(draw, camera, time, places, turns)
         image = self._layout.frame(scene, time)
-        self._layout.head(image, film.title if time >= film.scene.end else self._state(time))
+        text, chip = self._state(time)
+        self._layout.head(image, film.title if time >= film.scene.end else text, chip)
         if len(corners) > 1:
             self._layout.legend(image, {name: body_colour(b) for b, name in enumerate(film.scene.names)})
         return image
 
-    def _state(self, time: float) -> str:
-        """Return how the first body stands at a time [s], where it is the only one; else nothing."""
-        run = self._film.scene.run
+    def _state(self, time: float) -> tuple[str, str | None]:
+        """Return how the only body moves at a time [s], and the colour of its mode; of several nothing."""
+        run, language = self._film.scene.run, self._film.language
         if len(run.pieces) > 1:
-            return ""
+            return "", None
         tilt, slide = (
             float(np.interp(time, run.time, values)) for values in (np.degrees(run.tilt), 100.0 * run.slide)
         )
-        return say("space.state", self._film.language, tilt=tilt, slide=slide)
+        state = say("space.state", language, tilt=abs(tilt), slide=abs(slide))
+        if not len(run.mode):
+            return state, None
+        mode = Mode(str(run.mode[max(0, int(np.searchsorted(run.time, time, side="right")) - 1)]))
+        return f"{say(MODES[mode], language)}{say('common.colon', language)}{state}", MODE_COLOURS[mode]
 
     def _draw_room(self, camera: Camera) -> Image.Image:
         """Draw floor, walls and ceiling, where they face the camera, and where bodies stood."""
@@ -329,7 +334,9 @@ def _apart(hull: DrawnHull, others: NDArray[np.float64], eye: NDArray[np.float64
 Outline: TypeAlias = list[tuple[float, float]]
 """Corners in a picture, right and down [pixels]."""
 
-_AZIMUTH, _HEIGHT = -1.02, 0.33  # direction from which the scene is seen, as on the page [rad]
+VIEWS = {"free": (-1.02, 0.33), "side": (-0.5 * math.pi, 0.06)}
+"""Directions from which a scene is seen, as in report/canvas/camera.js: azimuth and height [rad]."""
+
 _TANGENT = math.tan(math.radians(14.0))  # of half the angle of the picture's height
 _MARGIN = 1.13
 _NEAREST = 0.2  # nothing nearer than this is seen, in the distance of the nearest point
@@ -344,12 +351,17 @@ class Camera:
         The points [m].
     width, height : int
         Size of the picture [pixels].
+    direction : tuple of float
+        Azimuth from x towards y, and height above the floor, of where it stands [rad].
     """
 
-    def __init__(self, points: NDArray[np.float64], width: int, height: int) -> None:
+    def __init__(
+        self, points: NDArray[np.float64], width: int, height: int, direction: tuple[float, float]
+    ) -> None:
         self._half = 0.5 * np.array([width, height])
-        c, s = math.cos(_AZIMUTH), math.sin(_AZIMUTH)
-        back = np.array([c * math.cos(_HEIGHT), s * math.cos(_HEIGHT), math.sin(_HEIGHT)])
+        azimuth, height_angle = direction
+        c, s, level = math.cos(azimuth), math.sin(azimuth), math.cos(height_angle)
+        back = np.array([c * level, s * level, math.sin(height_angle)])
         right = np.array([-s, c, 0.0])
         self._axes = np.array([right, np.cross(back, right), back])
         # The planes through the points that bound the picture meet in the eye: see `orbit` of camera.js.

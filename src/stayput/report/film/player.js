@@ -1,4 +1,4 @@
-// Plays one run in space: its scene, its histories below it, and the time that they share.
+// Plays one run: its scene, its histories below it, and the time that they share.
 
 import { VIEWS, lead, orbit } from "./canvas/camera.js";
 import { beforeNextFrame, prefersReducedMotion } from "./canvas/clock.js";
@@ -12,8 +12,8 @@ import { drawRows, most, picked } from "./canvas/strip.js";
 
 const film = JSON.parse(document.getElementById("run").textContent);
 const scene = spaceScene(film),
-  { texts } = film,
-  { bodies } = scene;
+  { looks, texts } = film,
+  { bodies, modes } = scene;
 const part = (id) => document.getElementById(id);
 const degrees = (angle) => (angle * 180) / Math.PI;
 const several = bodies.length > 1;
@@ -21,13 +21,16 @@ const camera = orbit(scene.points, scene.size);
 const solid = spacePainter(part("scene"), scene);
 const painter = solid ?? flatPainter(part("scene"), scene);
 part("flat").hidden = solid !== null;
+part("mode").hidden = !modes.length;
+part("turned").hidden = modes.length > 0; // in the plane nothing turns
 let chosen = 0;
 
 const peaks = {
   acceleration: Math.max(...scene.accelerations.map(({ values }) => most(values))),
-  tilts: bodies.map(({ tilts }) => tilts.reduce((peak, value) => Math.max(peak, value))),
+  tilts: bodies.map(({ tilts }) => tilts.reduce((peak, value) => Math.max(peak, Math.abs(value)), 0)),
 };
 const AXES = { x: "record", y: "calm", z: "pad" };
+const BAND = modes.length ? 8 : 0; // height of the modes' colours
 
 function drawStrip(now) {
   const { tilts, name } = bodies[chosen];
@@ -46,11 +49,17 @@ function drawStrip(now) {
         .replace("{angle}", digits(degrees(peaks.tilts[chosen]), 1)),
       unit: texts.tilt,
       peak: Math.max(0.001, peaks.tilts[chosen]), // what is rounding is drawn as nothing
-      positive: true,
+      positive: tilts.every((tilt) => tilt >= 0),
       series: [{ times: scene.times, values: tilts, colour: ink.ink, width: 1.5 }],
     },
   ];
-  drawRows(part("strip"), rows, { start: scene.start, end: scene.end, now });
+  const { start, end } = scene;
+  const { pen, along, height } = drawRows(part("strip"), rows, { start, end, now, below: BAND && BAND + 4 });
+  modes.forEach(([from, mode], i) => {
+    const until = modes[i + 1]?.[0] ?? end;
+    pen.fillStyle = looks[mode].colour;
+    pen.fillRect(along(from), height - BAND, along(until) - along(from), BAND);
+  });
 }
 
 function drawPicture(now) {
@@ -64,6 +73,11 @@ function draw(now) {
   part("tilt").textContent = `${digits(degrees(tilt), 1)}°`;
   part("slide").textContent = `${digits(100 * slide, 1)} cm`;
   part("yaw").textContent = `${digits(degrees(yaw), 1)}°`;
+  if (modes.length) {
+    const { colour, label } = looks[scene.mode(now)];
+    part("mode-chip").style.background = colour;
+    part("mode-name").textContent = label;
+  }
 }
 
 const bar = playBar(film, scene, draw),
@@ -102,7 +116,11 @@ function go(name) {
   requestAnimationFrame(step);
 }
 const views = [...part("views").querySelectorAll("input")];
-for (const choice of views) choice.onchange = () => go(choice.value);
+for (const choice of views) {
+  choice.checked = choice.value === scene.from;
+  choice.onchange = () => go(choice.value);
+}
+camera.view(scene.from);
 lead(part("scene"), camera, () => {
   for (const choice of views) choice.checked = false;
   turned();
@@ -124,4 +142,4 @@ if (frameElement) {
   document.documentElement.dataset.framed = "";
   new ResizeObserver(() => (frameElement.style.height = `${document.body.offsetHeight + 2}px`)).observe(document.body);
 }
-bar.begin(film.plays);
+bar.begin();

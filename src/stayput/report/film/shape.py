@@ -10,7 +10,6 @@ import numpy as np
 
 from stayput.model.floor_plan import rectangle
 from stayput.report.palette import MUTED, ROLE_COLOURS
-from stayput.report.scene import rounded
 from stayput.simulation.space_records import on_rims
 
 if TYPE_CHECKING:
@@ -34,6 +33,15 @@ _STRIPE = 0.12
 
 _FACING = 0.7
 """A face whose unit normal has at least this along an axis looks that way."""
+
+
+LENGTH_DIGITS = 5
+"""Digits of lengths [m] in a scene's data: 0.01 mm."""
+
+
+def rounded(values: NDArray[np.float64], digits: int = LENGTH_DIGITS) -> list[float]:
+    """Return values as a list with so many digits after the point; −0 is 0."""
+    return (np.round(values, digits) + 0.0).tolist()
 
 
 @dataclass(frozen=True, slots=True, eq=False)

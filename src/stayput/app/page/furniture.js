@@ -1,5 +1,5 @@
 // What a piece looks like from its side, drawn from its size: lines in metres, right of the middle of its
-// base and up. The same lines are painted on the canvas and in the small drawings of the presets.
+// base and up.
 
 const box = (left, low, right, high) => [
   [left, low],
@@ -150,12 +150,6 @@ const SHAPES = {
 export function details(kind, width, height, loads) {
   const shape = SHAPES[kind] ?? (loads ? shelves : () => []);
   return shape(width, height, loads ?? [1, 1, 1, 1, 1]);
-}
-
-/** Adds points to a path, closed unless there are two. */
-export function trace(pen, points, place) {
-  points.forEach(([u, v], i) => (i ? pen.lineTo(...place(u, v)) : pen.moveTo(...place(u, v))));
-  if (points.length > 2) pen.closePath();
 }
 
 /** Points as an SVG path. */

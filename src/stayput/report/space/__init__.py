@@ -1,1 +1,0 @@
-"""Pictures and animations of bodies in space."""
