@@ -76,7 +76,7 @@ def test_columns_that_are_refused(refusal, columns, message):
 def test_what_a_chosen_column_is_none_the_less(refusal):
     velocity = refusal("t;NS [cm/s];EW [gal]\n0;1;2\n0.01;3;4\n", columns="t=1,x=2")
     assert "is of velocity" in str(velocity)
-    assert "component is 'NS' beside columns" in str(refusal(phone(), columns="t=2,x=3", component="NS"))
+    assert "component is given beside columns" in str(refusal(phone(), columns="t=2,x=3", component="NS"))
     proposed = refusal("t,z (gal),x (gal),y (gal),foo (gal)\n0,1,2,3,4\n0.01,1,2,3,4\n")
     assert "as in t=1,x=3,y=4,z=2." in str(proposed)
 
