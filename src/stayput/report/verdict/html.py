@@ -71,8 +71,6 @@ def write_report(verdict: Verdict, path: str | Path, language: str = "en") -> Pa
 
 def report_html(verdict: Verdict, language: str = "en") -> str:
     """Return the text of a report; see `write_report`."""
-    if not verdict.scenario.alone:
-        return rendered("verdict/several.html", _content_of_several(verdict, language))
     return rendered("verdict/report.html", _content(verdict, language))
 
 
@@ -115,68 +113,54 @@ def shared_content(
     }
 
 
-def _of_a_ranking(
-    verdict: Verdict, texts: str, kind: str, rests_on: Iterable[Assumption], language: str
-) -> dict[str, Any]:
+def _content(verdict: Verdict, language: str) -> dict[str, Any]:
+    shaking, alone = verdict.scenario.shaking, verdict.scenario.alone
+    text, of_several = partial(word, language=language), partial(say, language=language)
+    kind = text("report") if alone else of_several("several.report")
+    holds = () if alone else (of_several("several.holds"),)
     command = ["stayput", "verify", "scenario.toml", "--slide-limit", f"{verdict.slide_limit:g}"]
+    held = [result for result in verdict.options if result.option.count]
+    drawn = [verdict.without, *[verdict.best] * bool(verdict.best.option.count)] if alone else []
+    sheets, texts = ["verdict/report.css"], "report" if alone else "several"
     return {
-        **shared_content(verdict, texts, kind, ["verdict/report.css"], rests_on, language),
+        **shared_content(verdict, texts, kind, sheets, assumptions(verdict), language),
+        "alone": alone,
+        "option": text("measure") if alone else of_several("several.option"),
+        "falls": text("overturned") if alone else of_several("several.any"),
         "simulations": simulations(verdict, language),
         "impossible": impossible_rows(verdict, language),
         "pairs": pairs_of(verdict, language),
-        "device_columns": [word(key, language) for key in DEVICE_COLUMNS],
+        "device_columns": [*holds, *map(text, DEVICE_COLUMNS)],
         "command": shlex.join([*command, "--lang", language, "--report", "report.html"]),
-    }
-
-
-def _content(verdict: Verdict, language: str) -> dict[str, Any]:
-    shaking = verdict.scenario.shaking
-    return {
-        **_of_a_ranking(verdict, "report", word("report", language), assumptions(verdict), language),
         "headline": verdict.sentence(language),
-        "shares": [f"{100.0 * share:g}" for share in SHARES],
+        "shares": [f"{100.0 * share:g}" for share in SHARES] if alone else [],
         "notes": verdict.notes(language),
-        "grades": grades_text(language),
+        "grades": grades_text(language) if alone else "",
         "rows": ranking(verdict, language),
+        "drawn": [_drawn(verdict, result, language) for result in drawn],
         "looks": looks(verdict),
-        "before": _drawn(verdict, verdict.without, language),
-        "after": _drawn(verdict, verdict.best, language) if verdict.best.option.measures else None,
         "curves": Markup(curves_svg(verdict, language)) if verdict.best.curves else None,
         "legend": legend(verdict, language),
-        "details": [_detail(item, verdict, language) for item in verdict.options if item.option.measures],
-        "estimates": estimate_rows(verdict, language),
+        "details": [_detail(result, verdict, language) for result in held],
+        "estimates": estimate_rows(verdict, language) if verdict.estimates else [],
         "reads_files": shaking.record is not None or isinstance(shaking.suite, str),
     }
 
 
-def _content_of_several(verdict: Verdict, language: str) -> dict[str, Any]:
-    content = _of_a_ranking(
-        verdict, "several", say("several.report", language), assumptions(verdict), language
-    )
-    rows = ranking(verdict, language)
-    return {
-        **content,
-        "headline": verdict.sentence(language),
-        "rows": rows,
-        "device_columns": [say("several.holds", language), *content["device_columns"]],
-        "details": [(row, device_rows(row.option, language)) for row in rows if row.option.devices],
-    }
-
-
 def _drawn(verdict: Verdict, result: OptionVerdict, language: str) -> dict[str, Any]:
-    label = title(result.option, verdict, language)
+    label, alone = title(result.option, verdict, language), verdict.scenario.alone
     return {
         "label": label,
-        "drawing": Markup(drawing_svg(verdict, result.option.measures, language, label)),
+        "drawing": Markup(drawing_svg(verdict, result.option.measures, language, label)) if alone else "",
         "share": numbers.probability(result.probabilities[OVERTURNED], language),
         "interval": numbers.interval(result.probabilities[OVERTURNED], language),
-        "grade": verdict.grade(result).value,
-        "weakest": weakest_inputs(result, verdict, language),
+        "grade": verdict.grade(result).value if alone else "",
+        "weakest": weakest_inputs(result, verdict, language) if alone else "",
     }
 
 
 def _detail(result: OptionVerdict, verdict: Verdict, language: str) -> dict[str, Any]:
-    measures = result.option.measures
+    measures = {measure.label: measure for measure in result.option.measures}.values()
     return {
         **_drawn(verdict, result, language),
         "rank": result.rank,

@@ -192,55 +192,42 @@ def verdict_csv(verdict: Verdict) -> str:
 
     What cannot be put in place comes last, without a rank and a number, and with the reason.
     """
-    alone = verdict.scenario.alone
-    records = [(_record if alone else _record_of_several)(result, verdict) for result in verdict.options]
+    names = verdict.scenario.names
+    records = [_record(result, verdict) for result in verdict.options]
     records += [
         {
             "option": item.option.name,
-            "measures" if alone else "consists_of": say(item.option.label(), "en")
-            if alone
-            else title(item.option, verdict, "en"),
+            "measures": say(item.option.label(names), "en"),
             "not_possible": item.why("en"),
         }
         for item in verdict.impossible
     ]
-    names = list(records[0])
-    return csv_text(names, ([record.get(name) for name in names] for record in records), "\n")
+    columns = list(records[0])
+    return csv_text(columns, ([record.get(name) for name in columns] for record in records), "\n")
 
 
 def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
-    shares = result.probabilities[OVERTURNED]
-    measures = say(result.option.label(), "en") if result.option.measures else _NO_MEASURE
+    shares, alone = result.probabilities[OVERTURNED], verdict.scenario.alone
+    measures = say(result.option.label(verdict.scenario.names), "en") if result.option.count else _NO_MEASURE
     record: dict[str, object] = {"rank": result.rank, "option": result.option.name, "measures": measures}
     for event, chance in result.probabilities.items():
         record |= {**_ends(event, chance), f"{event}_count": chance.fell}
     record |= {"runs": shares.runs, "missing": shares.missing}
     record |= flat_quantiles(peak_slide_m=result.slide, peak_tilt_rad=result.tilt)
-    for share in SHARES:
+    for piece in () if alone else result.pieces:
+        record[f"overturned: {piece.name}"] = number(piece.probabilities[OVERTURNED].estimate)
+    for share in SHARES if alone else ():
         capacity = result.capacities.get(share)
         key = f"{'floor_jma' if verdict.floor else 'jma_intensity'}_{100.0 * share:.0f}_percent"
         record |= {**_ends(key, capacity), f"{key}_text": None if capacity is None else capacity.text}
     if result.contents is not None:
         record |= contents_data(result.contents)
-    installed = result.installed
-    return {
-        **record,
-        "grade": verdict.grade(result).value,
-        "weakest_inputs": weakest_inputs(result, verdict, "en"),
-        "overturned_as_installed": None if installed is None else number(installed.usual[OVERTURNED]),
-        "not_possible": None,
-    }
-
-
-def _record_of_several(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
-    consists = title(result.option, verdict, "en")
-    record: dict[str, object] = {"rank": result.rank, "option": result.option.name, "consists_of": consists}
-    for event, chance in result.probabilities.items():
-        record |= _ends(event, chance)
-    shares = result.probabilities[OVERTURNED]
-    each = {f"overturned: {p.name}": number(p.probabilities[OVERTURNED].estimate) for p in result.pieces}
-    record |= {"runs": shares.runs, "missing": shares.missing, **each}
-    record |= flat_quantiles(peak_slide_m=result.slide, peak_tilt_rad=result.tilt)
+    if alone:
+        record |= {
+            "grade": verdict.grade(result).value,
+            "weakest_inputs": weakest_inputs(result, verdict, "en"),
+            "overturned_as_installed": result.installed and number(result.installed.usual[OVERTURNED]),
+        }
     return {**record, "not_possible": None}
 
 
