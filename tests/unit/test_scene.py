@@ -96,6 +96,22 @@ def test_what_is_wrong_is_refused(scene: dict, told: str) -> None:
     assert caught.value.told("ja") != str(caught.value)
 
 
+def test_a_place_is_stated_once() -> None:
+    for other in ({"at": (1.0, 0.0, 0.0)}, {"heading": 1.0}, {"on": "chest"}):
+        with pytest.raises(sp.InputError, match="beside against"):
+            sp.Piece(BOX, against="left_wall", along=1.0, **other)
+    for keys, message in (
+        ({"against": "left_wall", "along": 1.0, "at": [0.5, 0.5]}, "at is given beside"),
+        ({"against": "left_wall", "along": 1.0, "heading": 0.3}, "heading is given beside"),
+        ({"along": 1.0}, "along is given without"),
+        ({"gap": 0.1}, "gap is given without"),
+    ):
+        with pytest.raises(sp.InputError, match=message):
+            sp.Scenario.parse(
+                {"plan": {"width": 3.6, "length": 2.7}, "furniture": [{"preset": "bookcase", **keys}]}
+            )
+
+
 def test_a_scene_has_its_room_and_a_body_needs_one() -> None:
     scene = sp.Scene([sp.Piece(BOX)])
     with pytest.raises(sp.InputError, match="room is given beside a Scene"):

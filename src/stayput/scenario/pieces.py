@@ -98,6 +98,11 @@ class PieceTable(ValueTable):
             name, other = "furniture.unit", "furniture.mesh"
             name, other = (name, other) if self.mesh is None else (other, name)
             raise InputError("scenario.needs_both", name, other=other)
+        stated, others = ("at", "heading", "on"), ("along", "gap")
+        if self.against is not None and (both := [*filter(self.says, stated)]):
+            raise InputError("scenario.only_one", f"furniture.{both[0]}", other="furniture.against")
+        if self.against is None and (both := [*filter(self.says, others)]):
+            raise InputError("scenario.needs_both", f"furniture.{both[0]}", other="furniture.against")
         if self.on is not None and len(self.at) == 3:
             raise InputError("scenario.on_and_height", "furniture.at", name=self.title)
         if self.measures is not None and not self.is_furniture:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import instance_of, list_of, name_of, numbers, within, word_of
+from stayput.errors import InputError, instance_of, list_of, name_of, numbers, within, word_of
 from stayput.measures.measure import Measure, refuse_conflicts
 from stayput.model.body import Body
 from stayput.model.room import WALLS_AROUND
@@ -153,6 +153,9 @@ class Piece:
                 name_of(name, getattr(self, name))
         if self.against is not None:
             word_of("against", self.against, WALLS_AROUND, "against")
+            for name in ("at", "heading", "on"):
+                if getattr(self, name) not in (None, 0.0, (0.0, 0.0, 0.0)):
+                    raise InputError("scenario.only_one", name, other="against")
         for name in ("along", "gap") if self.along is not None else ("gap",):
             within(name, getattr(self, name), 0.0, 100.0, "m", name)
         object.__setattr__(self, "solid", self.body.solid)
