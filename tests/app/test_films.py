@@ -90,7 +90,7 @@ def test_the_file_gives_the_page_s_numbers_to_the_bit(client: httpx.Client, dime
     asked = {"scene": few, "measures": BRACKET}
     run = client.post("/api/v1/simulate", json=asked).json()
     file = sp.Scenario.parse(tomllib.loads(client.post("/api/v1/scenario/toml", json=asked).text))
-    for key, measures in (("without", ()), ("with", file.measures[0].measures)):
+    for key, measures in (("without", ()), ("with", file.options[0].measures)):
         copied = file.case(measures).run()
         told = run[key]
         (piece,) = told["pieces"]

@@ -408,7 +408,7 @@ def test_nothing_is_dragged_out_of_the_room(editor: Editor) -> None:
 
 def test_what_stands_in_something_else_is_said_at_once(editor: Editor) -> None:
     editor.drag((2.0, 1.0), (3.1, 1.9), drop=False)
-    assert re.fullmatch(r"Chest of drawers and Bed stand \d+ cm in each other\.", editor.wrong)
+    assert re.fullmatch(r"Chest of drawers and Bed overlap by \d+ cm\.", editor.wrong)
     assert editor.page.locator("#plan .thing.wrong").count() == 2
     editor.page.mouse.up()
     assert editor.page.locator("#plan .thing.wrong").count() == 2

@@ -269,9 +269,14 @@ def body_colour(number: int) -> str:
     return BODY_COLOURS[number % len(BODY_COLOURS)]
 
 
+_STEP = 2.0**-16
+"""To what histories are rounded in a scene's data: 0.015 mm; bits that are 0 take a third off what is sent."""
+
+
 def packed(values: NDArray[np.float64]) -> str:
-    """Return values as the base 64 of 32-bit floating-point numbers."""
-    return base64.b64encode(values.astype("<f4").tobytes()).decode("ascii")
+    """Return values as the base 64 of 32-bit floating-point numbers, rounded to `_STEP`."""
+    rounded_values = np.round(values / _STEP) * _STEP + 0.0
+    return base64.b64encode(rounded_values.astype("<f4").tobytes()).decode("ascii")
 
 
 def ground_displacement(motion: Motion) -> NDArray[np.float64]:
