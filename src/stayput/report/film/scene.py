@@ -270,7 +270,7 @@ def body_colour(number: int) -> str:
 
 
 _STEP = 2.0**-16
-"""To what histories are rounded in a scene's data: 0.015 mm; bits that are 0 take a third off what is sent."""
+"""To what histories are rounded in a scene: 0.015 mm. Bits that are 0 take a third off what is sent."""
 
 
 def packed(values: NDArray[np.float64]) -> str:
