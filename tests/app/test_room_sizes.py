@@ -143,11 +143,11 @@ def test_a_finger_is_not_told_to_drop_files(browser: Browser, server: Running) -
     page = context.new_page()
     page.goto(f"{server.address}/room/")
     page.wait_for_selector("#drop")
-    assert page.inner_text("#drop label").replace("\n", " ") == "A record of your own: choose one"
+    assert page.inner_text("#drop label").replace("\n", " ") == "Your own record: choose one"
     context.close()
     with room_page(browser, server, Judge()) as it:
         assert "drop a file here" in it.text("#drop label")
-        assert it.text("#drop label").count("A record of your own") == 1
+        assert it.text("#drop label").count("Your own record") == 1
 
 
 @pytest.mark.parametrize("language", ["ja", *long("en")])

@@ -59,7 +59,7 @@ def test_every_state_can_be_drawn(fell: list[int]) -> None:
 
 def test_refused() -> None:
     bare = _curve("bare", [2, 15, 33, 39])
-    with pytest.raises(InputError, match="0 curves"):
+    with pytest.raises(InputError, match="number of curves is 0"):
         plot_fragility([])
     with pytest.raises(InputError, match="9 curves"):
         plot_fragility([bare] * 9)

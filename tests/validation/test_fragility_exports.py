@@ -268,7 +268,7 @@ def test_refused(tmp_path: Path) -> None:
         for curves, said in (
             ([standing], "none fell"),
             ([alone], "1 motion"),
-            ([CURVES[0], CURVES[0]], "differ"),
+            ([CURVES[0], CURVES[0]], "Two are named"),
             ([], "0 curves"),
         ):
             with pytest.raises(InputError, match=said):
