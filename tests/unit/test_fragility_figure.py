@@ -61,7 +61,7 @@ def test_refused() -> None:
     bare = _curve("bare", [2, 15, 33, 39])
     with pytest.raises(InputError, match="number of curves is 0"):
         plot_fragility([])
-    with pytest.raises(InputError, match="9 curves"):
+    with pytest.raises(InputError, match="number of curves is 9"):
         plot_fragility([bare] * 9)
     with pytest.raises(InputError, match="JMA, PGV"):
         plot_fragility([bare, _curve("other", [2, 15, 33], PGV, 0.2)])

@@ -269,7 +269,7 @@ def test_refused(tmp_path: Path) -> None:
             ([standing], "none fell"),
             ([alone], "1 motion"),
             ([CURVES[0], CURVES[0]], "Two are named"),
-            ([], "0 curves"),
+            ([], "curves is empty"),
         ):
             with pytest.raises(InputError, match=said):
                 write(curves, path)

@@ -121,7 +121,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "気象庁震度階級関連解説表を要約したものです。",
     ),
     "dropHere": ("Your own record: drop a file here, or", "手持ちの記録：ファイルをここにドロップするか、"),
-    "ownRecord": ("A record of your own:", "手持ちの地震記録："),
+    "ownRecord": ("Your own record:", "手持ちの地震記録："),
     "chooseFile": ("choose one", "ファイルを選ぶ"),
     "sending": ("Reading the file …", "ファイルを読み込んでいます…"),
     "dropPieces": ("Scenarios of several pieces are shown, too.", "複数の家具の条件ファイルも表示できます。"),
