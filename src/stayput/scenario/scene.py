@@ -26,9 +26,21 @@ from stayput.scenario.tables import RoomTable
 from stayput.simulation.scene import MOST_BODIES, Scene, friction_between, refuse_places
 
 if TYPE_CHECKING:
-    from collections.abc import Generator
+    from collections.abc import Generator, Sequence
+    from contextlib import AbstractContextManager
 
     from stayput.simulation.scene import Joint
+
+
+@contextmanager
+def _calling(pieces: Sequence[str]) -> Generator[None]:
+    """Refuse what is wrong with a scene by what its pieces are called here."""
+    try:
+        yield
+    except InputError as error:
+        for number, name in enumerate(pieces):
+            error = error.renamed(f"pieces[{number}]", name)
+        raise error from None
 
 
 def _several_or_one(value: object) -> str:
@@ -165,7 +177,7 @@ class SceneTables(FromFile):
             A body that is not possible, a mesh that cannot be read, or a piece in none of its places.
         """
         chosen = self.stated if option is None else option
-        with self.naming_file(), self._keys():
+        with self.naming_keys():
             pieces = [
                 piece.standing(checked(self.key_of(number), partial(piece.body_in, self._folder)), measures)
                 for number, (piece, measures) in enumerate(zip(self.pieces, chosen.on, strict=True))
@@ -174,15 +186,9 @@ class SceneTables(FromFile):
             friction = self.static_friction, self.kinetic_friction
             return Scene(pieces, self.room.room(), self._plan(), joints, friction)
 
-    @contextmanager
-    def _keys(self) -> Generator[None]:
+    def _keys(self) -> AbstractContextManager[None]:
         """Refuse what is wrong with a scene by the keys of its pieces in the file."""
-        try:
-            yield
-        except InputError as error:
-            for number in range(len(self.pieces)):
-                error = error.renamed(f"pieces[{number}]", self.key_of(number))
-            raise error from None
+        return _calling([self.key_of(number) for number in range(len(self.pieces))])
 
     @contextmanager
     def naming_keys(self) -> Generator[None]:
@@ -203,12 +209,8 @@ class SceneTables(FromFile):
         return self.room.room() if self.plan is None else self.scene().around
 
     def _joints(self) -> list[Joint]:
-        try:
+        with _calling([*map(repr, self.names)]):
             return [
                 checked(f"joints[{number}]", partial(table.joint, self.names))
                 for number, table in enumerate(self.joints)
             ]
-        except InputError as error:
-            for number, name in enumerate(self.names):
-                error = error.renamed(f"pieces[{number}]", repr(name))
-            raise error from None

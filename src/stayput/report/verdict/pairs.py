@@ -197,11 +197,10 @@ def replay_of_several(verdict: Verdict, result: OptionVerdict, member: Member) -
         quantities=stated.quantities,
         direction=scenario.direction or 0.0,
     )
-    run = run_again(
+    return run_again(
         scenario.scene(result.option),
         drawn[member.motion][member.sample],
         floors.motions[member.motion],
         float(floors.scales[member.motion]),
         scenario.gravity,
     )
-    return run.named(scenario.names)
