@@ -370,6 +370,13 @@ class Motion:
         x, y = c * self.x + s * self.y, c * self.y - s * self.x
         return replace(self, x=x, y=y, source=source, listing=self.listing and self.listing.of(z="z"))
 
+    def pointing(self, direction: float) -> Motion:
+        """Return the motion of a floor whose x points elsewhere in plan [rad], from x towards y."""
+        if direction == 0.0:
+            return self
+        both = self if self.y is not None else replace(self, y=np.zeros_like(self.x))
+        return both.rotated(-direction)
+
     def trimmed(self, start: float = 0.0, end: float | None = None) -> Motion:
         """Return the samples with start ≤ t ≤ end [s]; the floor is at rest at the first of them."""
         last = longest = self.duration

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import partial
 from pathlib import Path  # noqa: TC003 - pydantic reads the annotations
 from typing import TYPE_CHECKING, Annotated, Any, Self
 
-import numpy as np
 from pydantic import Field, PrivateAttr, model_validator
 
 from stayput.catalogue import phrase, say
@@ -246,7 +244,7 @@ class Scenario(SceneTables):
             The record cannot be read, or the suite has no such member.
         """
         with self.naming_file("shaking"):
-            return _turned(self.shaking.motion(self._folder), self._facing - (self.direction or 0.0))
+            return self.shaking.motion(self._folder).pointing((self.direction or 0.0) - self._facing)
 
     def ground(self) -> Suite:
         """Make the motions of the ground, not scaled, with all components.
@@ -260,8 +258,8 @@ class Scenario(SceneTables):
         """
         with self.naming_file("shaking"):
             ground = self.shaking.ground(self._folder)
-        turn = self._facing - (self.direction or 0.0) if self.alone else 0.0
-        return Suite(tuple(_turned(motion, turn) for motion in ground), ground.name)
+        direction = (self.direction or 0.0) - self._facing if self.alone else 0.0
+        return Suite(tuple(motion.pointing(direction) for motion in ground), ground.name)
 
     @property
     def _facing(self) -> float:
@@ -313,14 +311,6 @@ class Scenario(SceneTables):
         scene, motion = self.scene(), self.motion()
         with self.naming_keys():
             return simulate(scene, motion, gravity=self.gravity)
-
-
-def _turned(motion: Motion, turn: float) -> Motion:
-    """Return a motion along axes that are turned in plan, from x towards y [rad]."""
-    if turn == 0.0:
-        return motion
-    both = motion if motion.y is not None else replace(motion, y=np.zeros_like(motion.x))
-    return both.rotated(turn)
 
 
 def _refuse_same_names(options: Sequence[Option]) -> None:
