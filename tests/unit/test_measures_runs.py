@@ -17,7 +17,7 @@ from stayput.measures import (
     element_rows,
     hold,
 )
-from stayput.measures.element import failures_of
+from stayput.measures.element import failed, utilisation
 from stayput.model.flat_fields import case_columns
 from stayput.report.animation import film_of
 from stayput.report.summary import rows, summary
@@ -147,10 +147,9 @@ def test_columns_of_cases_with_a_row_of_elements_each():
     for n, run in enumerate(singles):
         assert results["peak_tilt"][n] == run.peak_tilt
         assert results["residual_slide"][n] == run.residual_slide
-    failures = failures_of(elements, devices)
-    assert list(failures.count) == [0, 0, 1]
-    assert failures.first[2] == singles[2].device_failure_time
-    assert failures.utilisation[0] == 0.0
+    assert failed(elements, devices).tolist() == [[False], [False], [True]]
+    assert devices["failure_time"][2, 0] == singles[2].device_failure_time
+    assert utilisation(elements, devices)[0] == 0.0
     free, none = run_columns(cases[:1], None, motions, np.array([1]))
     assert free[0] == results[0]
     assert none.shape == (1, 0)
