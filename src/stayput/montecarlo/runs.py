@@ -84,7 +84,7 @@ def run_level(
     motions = len(floors.motions)
     cases, elements, motion = joined_rows(rows, motions)
     results, devices = _ran(cases, elements, motion, floors, threads, progress)
-    broken = failed(elements, devices).any(axis=-1)
+    broken = failed(elements, devices).sum(axis=-1) > 0
     runs: list[Runs] = []
     start = 0
     for piece_rows in rows:
@@ -172,7 +172,7 @@ def run_prepared(rows: Sequence[Rows], floor: PreparedFloor) -> list[Outcomes]:
         motion_elements = np.ascontiguousarray(elements[:, motion]).reshape(len(motion_cases), -1)
         result, devices = run_rows(motion_cases, motion_elements, shaking)
         results.append(result.reshape(len(rows), -1))
-        broken.append(failed(motion_elements, devices).any(axis=-1).reshape(len(rows), -1))
+        broken.append((failed(motion_elements, devices).sum(axis=-1) > 0).reshape(len(rows), -1))
     together = zip(np.stack(results, axis=1), np.stack(broken, axis=1), strict=True)
     return [Outcomes.of(result, bad) for result, bad in together]
 
