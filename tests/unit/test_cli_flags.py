@@ -221,9 +221,14 @@ def test_a_motion_or_a_strength_stands_in_the_place_of_the_files(
             ("shaking.pgaa is unknown (did you mean 'pga'?)", "shaking.pgaaというキー"),
         ),
         (("--set", "shaking.pga="), ("shaking.pga is ''; it must be", "shaking.pgaが''に")),
-        (("--set", "furniture[0].mass=3"), ("furniture is not a list;", "furnitureはリストでは")),
-        (("--set", "measures[5].type=belt"), ("measures is a list of 1;", "measuresは1件のリスト")),
-        (("--set", "measures.type=belt"), ("measures is a list of 1;", "measuresは1件のリスト")),
+        (
+            ("--set", "furniture[0].mass=3"),
+            ("'furniture[0].mass' is no key", "'furniture[0].mass'というキー"),
+        ),
+        (
+            ("--set", "measures[5].type=belt"),
+            ("'measures[5].type' is no key", "'measures[5].type'というキー"),
+        ),
         (
             ("--pga", "3", "--set", "shaking.pga=4"),
             ("shaking.pga is set by --pga and by", "shaking.pgaが--pgaと"),

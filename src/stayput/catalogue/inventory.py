@@ -1,10 +1,7 @@
 """Inventories of furniture."""
 
 TEXTS: dict[str, tuple[str, str]] = {
-    "in_space": (
-        "The scenario has dimensions = 3; an inventory is assessed in the plane.",
-        "シナリオがdimensions = 3になっています。一覧の評価は平面の解析だけに対応しています。",
-    ),
+    "in_the_plane": ("2 or left out, for an inventory", "一覧の評価では2（または省略）"),
     # the call
     "memory": ("Memory", "メモリ"),
     "the": ("The {what}", "{what}"),
@@ -67,20 +64,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Cells {cells} of the sheet are merged over several rows; each row must have its own, the headings one row.",
         "シートのセル{cells}が複数行にわたって結合されています。結合を解除して各行に値を入れ、見出しは1行にしてください。",
     ),
-    "total_row": (
-        "{name} is {value}: the row is a total, and no piece.",
-        "{name}が{value}です。合計の行で、家具ではありません。",
-    ),
+    "of_a_piece": ("that of a piece, and not of a total", "合計ではない家具のもの"),
     "cell_unit": ("a number that is shown in {unit}", "単位{unit}付きで表示される数値"),
     "characters": ("characters", "文字数"),
-    "control_character": (
-        "{name} has a control character, a line break or an invisible one; it must be one line of plain text.",
-        "{name}に制御文字、改行または目に見えない文字があります。1行の普通の文字だけにしてください。",
-    ),
-    "not_plain_number": (
-        "{name} is {value}; it must be a plain number{unit}{hint}.",
-        "{name}が{value}になっています。数値だけ{unit}にしてください{hint}。",
-    ),
+    "plain_number": ("a plain number{unit}", "数値だけ{unit}"),
     "comma": (
         "written without its point or comma, which may be of decimals or of thousands",
         "点やコンマのない数値（小数点か桁区切りか分かりません）",
@@ -98,7 +85,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {id}, which is that of row {row}; every row must have its own.",
         "{name}の{id}は{row}行目と同じです。行ごとに異なるものにしてください。",
     ),
-    "missing_beside": ("{name} is missing; {other} needs it.", "{name}がありません。{other}に必要です。"),
     "place_missing": ("given with stations or a shake map", "観測点や地震動マップを使うときは緯度と経度"),
     "costs_count": (
         "costs has {costs} numbers and measures has {measures}; they must be as many.",
@@ -135,10 +121,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}.tomlに[station]がありません。すべてのファイルに書くか、どれにも書かないでください。",
     ),
     "map_beside_stations": ("beside stations or several scenarios", "観測点のある、または複数のシナリオ"),
-    "buildings_not_a_table": (
-        "buildings is not a table; it must be one of [buildings.NAME].",
-        "buildingsがテーブルではありません。[buildings.NAME]の形で書いてください。",
-    ),
     # shake maps
     "period": ("The period of column {column}", "列{column}の周期"),
     "on_the_map": ("{name} on the shake map", "地震動マップ上の{name}"),

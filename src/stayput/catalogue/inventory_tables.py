@@ -138,14 +138,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "マップ{path}と不確かさ{other}から、同じ地震のものかどうかが分かりません。確かめてください。",
     ),
     "other_grid": ("one for the places of the shake map", "地震動マップと同じ地点のもの"),
-    "uncertainty_of_csv": (
-        "An uncertainty is given beside a map in CSV; that must have it in its column sigma.",
-        "CSVの地震動マップに不確かさのファイルが指定されています。CSVではsigmaの列に書いてください。",
-    ),
-    "no_map": (
-        "A field or an uncertainty is given without a shake map; it needs one.",
-        "地震動マップなしに、その項目または不確かさが指定されています。",
-    ),
+    "of_csv": ("beside a map in CSV, whose column sigma has it", "CSVの地震動マップ（sigmaの列に書きます）"),
     # exports
     "export": ("The format of an export", "書き出しの形式"),
     # cells

@@ -18,7 +18,7 @@ from stayput.cli.flags import (
     words,
 )
 from stayput.cli.messages import note
-from stayput.errors import InputError, unknown
+from stayput.errors import InputError, not_allowed, unknown
 
 if TYPE_CHECKING:
     from stayput.motion import Motion
@@ -106,7 +106,7 @@ def _target_of(text: str) -> TargetSpectrum:
         number = numbers("--target", text, [soil or "2"], (1,), "japan:very-rare,2")[0]
         return japanese_design(level.replace("-", " "), round(number))
     if not Path(text).exists():
-        raise InputError("cli.target", "--target", value=repr(text))
+        raise not_allowed("--target", repr(text), "cli.targets", "--target")
     return read_target(text)
 
 

@@ -86,7 +86,8 @@ def read_shakemap(path: Path, field: str | None = None, uncertainty: Path | None
         if is_xml(path):
             return _of_grid(path, field, uncertainty)
         if uncertainty is not None:
-            raise InputError("inventory_tables.uncertainty_of_csv", "uncertainty")
+            where = phrase("inventory_tables.of_csv")
+            raise InputError("common.left_out", "uncertainty", where=where)
         return _of_csv(path, field)
     except OSError as error:
         raise unreadable(error.filename or path, error) from None

@@ -134,8 +134,6 @@ def named_sets(measures: MeasureSets) -> list[Option]:
 
 
 def _together(measures: Measure | Sequence[Measure]) -> tuple[Measure, ...]:
-    if isinstance(measures, str):
-        raise InputError("scenario.measure_by_name", "measures", value=repr(measures))
     if isinstance(measures, tuple | list):
         together = list_of("measures", measures, Measure)
     else:

@@ -104,9 +104,10 @@ class PieceTable(ValueTable):
         if self.against is None and (both := [*filter(self.says, others)]):
             raise InputError("scenario.needs_both", f"furniture.{both[0]}", other="furniture.against")
         if self.on is not None and len(self.at) == 3:
-            raise InputError("scenario.on_and_height", "furniture.at", name=self.title)
+            raise InputError("scenario.only_one", "furniture.at[2]", other="furniture.on")
         if self.measures is not None and not self.is_furniture:
-            raise InputError("scenario.measures_on_solid", "furniture.measures", name=self.title)
+            where = phrase("scenario.of_a_solid")
+            raise InputError("common.left_out", "furniture.measures", where=where)
         checked("furniture", lambda: refuse_conflicts(in_place(self.measures)))
         return self
 
@@ -118,7 +119,8 @@ class PieceTable(ValueTable):
             raise InputError("scenario.one_shape", "furniture", name=self.title)
         for key in () if self.preset else ("width", "height", "mass"):
             if getattr(self, key) is None and (self.is_furniture or key == "mass"):
-                raise InputError("scenario.no_preset", f"furniture.{key}", preset="preset")
+                allowed = phrase("scenario.without_preset")
+                raise InputError("scenario.missing", f"furniture.{key}", allowed=allowed)
         if not self.is_furniture:
             return
         for key in ("cg_offset", "inertia") if self.shelves else ():

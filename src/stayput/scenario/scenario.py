@@ -12,7 +12,7 @@ from pydantic import Field, PrivateAttr, model_validator
 
 from stayput.catalogue import phrase, say
 from stayput.contents.contents import emptied
-from stayput.errors import InputError, no_length, not_allowed
+from stayput.errors import InputError, no_length, not_allowed, word_of
 from stayput.measures.measure import refuse_conflicts
 from stayput.motion.suites.suite import Suite
 from stayput.scenario.fields import between, checked, refuse_same_names
@@ -136,11 +136,11 @@ class Scenario(SceneTables):
         refuse_same_names("options", [option.name for option in options], taken)
         for number, option in enumerate(options):
             for place, piece in enumerate(option.pieces):
-                name = f"options[{number}].pieces[{place}].name"
-                if piece.name not in names:
-                    raise InputError("scenario.no_such_piece", name, value=repr(piece.name))
-                if not self.pieces[names.index(piece.name)].is_furniture:
-                    raise InputError("scenario.measures_on_solid", name, name=piece.name)
+                key = f"options[{number}].pieces[{place}]"
+                name = word_of(f"{key}.name", piece.name, names, f"{key}.name")
+                if not self.pieces[names.index(name)].is_furniture:
+                    where = phrase("scenario.of_a_solid")
+                    raise InputError("common.left_out", f"{key}.measures", where=where)
             for name in names:
                 checked(f"options[{number}]", partial(refuse_conflicts, option.on(name)))
 
