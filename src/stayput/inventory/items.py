@@ -344,7 +344,6 @@ def storey_of(cell: Cell, highest: int) -> int | None:
         return None
     storey = None if isinstance(cell, str) and number_or_none(cell) is None else number_of("storey", cell)
     if storey is None or not (1 <= storey <= highest or -DEEPEST <= storey <= -1) or storey % 1:
-        value, most = shown(cell), highest
         raise InputError("inventory.storey", "storey", value=shown(cell), highest=highest, deepest=DEEPEST)
     return int(storey)
 
