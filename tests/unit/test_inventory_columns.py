@@ -204,7 +204,7 @@ def test_a_row_that_is_a_total_is_no_piece(tmp_path, name, header):
     table = f"{header},奥行(mm),高さ(mm),重量(kg),数量\n棚,300,1800,60,2\n{name},300,1800,60,2\n"
     rows, (rejected,), _, _ = read(tmp_path, table)
     assert [row["count"] for row in rows] == [2]
-    assert "the row is a total" in rejected["reason"]
+    assert "and not of a total" in rejected["reason"]
 
 
 def test_a_header_needs_no_unit_where_every_cell_has_one(tmp_path):

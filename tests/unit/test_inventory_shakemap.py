@@ -244,7 +244,7 @@ def test_an_uncertainty_must_be_of_the_same_places(tmp_path):
         read_shakemap(grid(tmp_path, ROWS), "PGA", other)
     with pytest.raises(sp.InputError, match="must be a file with values of the field STDPSA03"):
         read_shakemap(grid(tmp_path, ROWS), "PSA03", other)
-    with pytest.raises(sp.InputError, match="without a shake map"):
+    with pytest.raises(sp.InputError, match="without shakemap"):
         assess(other, city(tmp_path), tmp_path / "out", uncertainty=other)
 
 

@@ -40,7 +40,7 @@ REJECTED = {
     "no storey of a name": (row(id="x", preset="chest", building="office", storey="PH1"), "storey is 'PH1'; it must be 1 (on the ground) to 5 (the roof), or such as 3F, M2F, B1 to B9 or RF"),
     "storey of nought": (row(id="x", preset="chest", building="office", storey="0"), "storey is '0'; it must be 1"),
     "decimal comma between commas": (row(id="x", width='"0,4"', height="1", mass="1"), "a comma is a decimal one where semicolons stand between the columns"),
-    "no storey": (row(id="x", preset="chest", building="office"), "storey is missing"),
+    "no storey": (row(id="x", preset="chest", building="office"), "building is given without storey"),
     "no building": (row(id="x", preset="chest", storey="2"), "building is missing"),
     "no such measure": (row(id="x", preset="chest", measures="glue"), "measures is 'glue'; it must be one of"),
     "measure twice": (row(id="x", preset="chest", measures="wedge;wedge"), "twice"),
@@ -54,7 +54,7 @@ REJECTED = {
     "a million characters": (row(id="x", preset="c" * 10**6), "preset has 1,000,000 characters"),
     "several lines": (row(id="x", preset='"chest\nchest"'), "a line break"),
     "stray quote": ('x,"chest"z,,,,,,,,,,,', "cannot be read"),
-    "invisible character": (row(id="x\u200b", preset="chest"), "an invisible one"),
+    "invisible character": (row(id="x\u200b", preset="chest"), "id is 'x\\u200b'; it must be a text without control characters"),
     "control character": (row(id="x\x07", preset="chest"), "control character"),
 }  # fmt: skip
 

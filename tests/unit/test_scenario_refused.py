@@ -80,7 +80,7 @@ def both_print(file: Path) -> str:
             {"furniture": [{"name": "box", "width": 0.4, "length": 0.4, "height": 0.4}]},
             "furniture[0].mass is missing",
         ),
-        (piece(0, on="shelf"), "furniture[0].on is 'shelf', which names no piece before it"),
+        (piece(0, on="shelf"), "furniture[0].on is 'shelf'; it must be the name of a piece given before it"),
         (piece(1, name="chest"), "furniture[1].name is 'chest'"),
         ({"joints": 1}, "joints is 1; it must be a list"),
         (joint(second="door"), "joints[0].second is 'door'"),
