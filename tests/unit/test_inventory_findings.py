@@ -66,7 +66,7 @@ def test_a_long_id_is_shortened_in_what_is_said_of_it(tmp_path, length):
             "en",
             [
                 "7 rows (2, 3, 4, 5, 6, …): Column '奥行(mm)': width is missing",
-                "2 rows (10, 11): Column '管理番号': id is 'b', which is that of row 9",
+                "2 rows (10, 11): Column '管理番号': id is 'b'; it must not be that of row 9",
                 "1 row (12): Column '数量': count is 0",
                 "Empty cells: 管理番号 in 2 rows; 数量 in 1 row; 高さ(mm) in 1 row. There a piece is",
                 "tension_pole: not possible. Tension poles need a ceiling",

@@ -161,10 +161,10 @@ WRONG = {
     "no places": ({"rows": [row[2:] for row in ROWS], "fields": dict.fromkeys(("PGA", "PGV", "MMI", "X"), "")}, "LON and LAT"),
     "no grid": ({"rows": [ROWS[0], ROWS[1], (135.5, 35, 1, 1, 1, 1), ROWS[3]]}, "must be a regular grid"),
     "a latitude that is none": ({"rows": [(135, "nan", *ROWS[0][2:]), *ROWS[1:]]}, "must be a regular grid"),
-    "beyond all": ({"rows": [*ROWS[:3], (136, 35, 80, 80_000, 8, 160)]}, "PGV of the shake map is 80000"),
-    "below nothing": ({"rows": [*ROWS[:3], (136, 35, 80, -1, 8, 160)]}, "PGV of the shake map is -1"),
-    "unknown unit": ({"fields": {**FIELDS, "PGV": "mph"}}, "its unit must be one of cm/s, m/s"),
-    "no field": ({"fields": dict.fromkeys(("LON", "LAT", "A", "B", "C", "SVEL"), "")}, "field must be one of"),
+    "beyond all": ({"rows": [*ROWS[:3], (136, 35, 80, 80_000, 8, 160)]}, "PGV on the shake map is 80000"),
+    "below nothing": ({"rows": [*ROWS[:3], (136, 35, 80, -1, 8, 160)]}, "PGV on the shake map is -1"),
+    "unknown unit": ({"fields": {**FIELDS, "PGV": "mph"}}, "it must be one of 'cm/s', 'm/s'"),
+    "no field": ({"fields": dict.fromkeys(("LON", "LAT", "A", "B", "C", "SVEL"), "")}, "field is None; it must be one of 'pgv'"),
 }  # fmt: skip
 
 
@@ -216,7 +216,7 @@ def test_a_map_that_is_compressed_is_refused(tmp_path, pack):
     file.write_bytes(pack(plain.read_bytes()))
     with pytest.raises(sp.InputError, match=r"grid\.xml\.gz'; it must be CSV .* or .*grid.xml, uncompressed"):
         read_shakemap(file)
-    with pytest.raises(sp.InputError, match="it must be a ShakeMap grid"):
+    with pytest.raises(sp.InputError, match="cannot be read: it is no well-formed XML"):
         read_shakemap(plain, None, file)
 
 
@@ -434,7 +434,11 @@ def test_a_map_tells_one_thing(tmp_path, header):
         ("sa_0.3", "35,135,0.4 g", "is '0.4 g'; it must be a number"),
         ("sa_0.3", "35,135,,", "4 cells; it must have 3"),
         ("intensity", "35,135,10", "is 10; it must be between -3 and 9"),
-        ("intensity", "35,135,5\n35.0,135,6", "Row 3 of the shake map is at 35°, 135°, as row 2 is"),
+        (
+            "intensity",
+            "35,135,5\n35.0,135,6",
+            "lat, lon in row 3 of the shake map is 35, 135; it must not be that of row 2",
+        ),
     ],
 )
 def test_a_bad_map_is_refused(tmp_path, header, row, told):

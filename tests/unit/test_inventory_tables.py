@@ -48,7 +48,7 @@ REJECTED = {
     "taller than the room": (row(id="x", width="1", height="2.5", mass="9"), "inside the ceiling"),
     "costs": (row(id="x", preset="chest", measures="wedge;sheet", costs="5"), "costs has 1 numbers"),
     "no count": (row(id="x", preset="chest", count="0"), "count is 0"),
-    "duplicate": (row(id="good", preset="chest"), "which is that of row 2"),
+    "duplicate": (row(id="good", preset="chest"), "it must not be that of row 2"),
     "more cells": (GOOD.replace("good", "x") + ",1", "14 cells"),
     "fewer cells": ("x,chest", "2 cells"),
     "a million characters": (row(id="x", preset="c" * 10**6), "preset has 1,000,000 characters"),

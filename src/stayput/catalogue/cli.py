@@ -4,10 +4,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "strength": ("Stated shaking", "指定した揺れ"),
     "baseline": ("Baseline", "基線"),
     "mean_removed": ("the mean of each component taken off", "各成分の平均を除去"),
-    "set_twice": (
-        "{key} is set by {flag} and by {other}; it must be set once.",
-        "{key}が{flag}と{other}で二重に指定されています。一方だけにしてください。",
-    ),
     "of_a_motion": ("for a motion", "揺れのコマンド"),
     "one_storey": ("without --building, or with --storey", "--buildingのない、または--storeyのある場合"),
     "other_format": ("the ending of the file {out}", "ファイル{out}の拡張子と同じもの"),

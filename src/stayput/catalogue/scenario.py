@@ -69,10 +69,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "true or false without shaking.record",
         "shaking.recordがなければtrueかfalse",
     ),
-    "vertical_across": (
-        "{name} is {file}, a vertical record ({label!r}); it must be a horizontal one.",
-        "{name}の{file}は上下動の記録（「{label}」）です。水平の記録を指定してください。",
-    ),
+    "horizontal": ("a horizontal record", "水平の記録"),
     "member_of_one": ("without a suite", "suiteのないファイル"),
     "in_python": (
         "Given in Python, and not or not fully in this file: {what}.",

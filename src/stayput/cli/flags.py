@@ -269,7 +269,7 @@ def changed(
     for flag, key, value in _settings(said, motion_flag):
         steps = steps_of(key)
         if steps in settings:
-            raise InputError("cli.set_twice", key, key=key, flag=settings[steps][0], other=flag)
+            raise InputError("scenario.only_one", key, name=flag, other=settings[steps][0])
         settings[steps] = flag, key, value
     data = dict(tables)
     keys = {str(steps[1]) for steps in settings if len(steps) > 1 and steps[0] == "shaking"}

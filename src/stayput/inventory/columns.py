@@ -303,14 +303,12 @@ def _find(name: str, header: str, names: Sequence[str]) -> tuple[int, NumberUnit
         return place, units.get(header_name(header).unit)
     matched = _UNIT.fullmatch(header.strip())
     place = None if matched is None else _place(matched[1], names)
-    said: dict[str, Any] = {"name": name, "header": quoted(header)}
     if matched is None or place is None:
-        listed = ", ".join(shown(each) for each in names if each)[:300] or phrase("inventory.nothing")
-        raise InputError("inventory_tables.mapped_missing", "columns", **said, names=listed)
+        raise unknown("inventory_tables.column_name", header, filter(None, names), "columns")
     stated, written = units.get(plain_name(matched[2])), units.get(header_name(names[place]).unit)
     if stated is None or written not in (None, stated):
         known = dict.fromkeys(unit.name for unit in ([written] if written else units.values()))
-        raise InputError("inventory_tables.mapped_unit", "columns", **said, known=", ".join(known) or "-")
+        raise unknown(phrase("inventory_tables.unit_of", name=name), matched[2], known or "-", "columns")
     return place, stated
 
 

@@ -160,9 +160,8 @@ class RowReader:
             label, building, storey = self._building(cells, station)
             spec, options, not_possible = self._room(cells, body, station)
             if costs and len(costs) != len(options) - 1:
-                raise InputError(
-                    "inventory.costs_count", "costs", costs=len(costs), measures=len(options) - 1
-                )
+                due = phrase("common.so_many_numbers", count=len(options) - 1)
+                raise not_allowed("costs", shown(cells.get("costs")), due, "costs")
             possible = [n for n, name in enumerate(options) if name not in not_possible]
             names, specs = list(options), list(options.values())
             here = {
@@ -362,7 +361,8 @@ def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> dict[str, tuple
         return {NO_MEASURE: (), **{name: _ordered(measures) for name, measures in named.items()}}
     options: dict[str, tuple[Measure, ...]] = {NO_MEASURE: ()}
     parts = text.split(";")
-    twice: str | None = None
+    if len(parts) > MOST_OPTIONS:
+        raise too_many("measures", len(parts), "inventory.parts", MOST_OPTIONS, "measures")
     for part in parts:
         names = [name.strip() for name in part.split("+")]
         measures: tuple[Measure, ...] = ()
@@ -371,12 +371,9 @@ def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> dict[str, tuple
                 raise unknown("measures", name, dict.fromkeys((*named, *MEASURES)), "measures")
             measures += named[name] if name in named else (MEASURES[name](),)
         together = "+".join(names)
-        twice = twice or (together if together in options else None)
+        if together in options:
+            raise InputError("common.twice", "measures", name=shown(together))
         options[together] = _ordered(measures)
-    if len(parts) > MOST_OPTIONS:
-        raise too_many("measures", len(parts), "inventory.parts", MOST_OPTIONS, "measures")
-    if twice is not None:
-        raise InputError("common.twice", "measures", name=shown(twice))
     return options
 
 

@@ -168,9 +168,8 @@ def _fill(
                 piece, depth = exposures[0].row, exposures[0].depth
                 before = store.row_of(piece["id"], number)
                 if before != number:
-                    raise InputError(
-                        "inventory.id_twice", "id", name="id", id=quoted(piece["id"]), row=before
-                    )
+                    other = phrase("inventory.row", row=before)
+                    raise InputError("scenario.same_name", "id", value=quoted(piece["id"]), other=other)
             except InputError as error:
                 counts["rejects"] += 1
                 line = _rejected(number, cells, _in_words_of_the_table(error, header), header)

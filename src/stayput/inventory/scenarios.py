@@ -180,7 +180,7 @@ def read_scenarios(
     place = Path(path)
     paths = sorted(place.glob("*.toml")) if place.is_dir() else [place]
     if not paths:
-        raise InputError("inventory.no_scenarios", "scenario", path=repr(str(place)))
+        raise not_allowed("scenario", repr(str(place)), "inventory.scenarios", "scenario")
     return _joined([read_scenario_file(path, changed) for path in paths], place.stem, shakemap)
 
 
@@ -188,7 +188,8 @@ def _joined(scenarios: Sequence[ScenarioFile], folder: str, shakemap: ShakeMap |
     located = [file for file in scenarios if file.station is not None]
     if located and len(located) < len(scenarios):
         other = next(file.name for file in scenarios if file.station is None)
-        raise InputError("inventory.station_missing", "station", name=other)
+        allowed = phrase("inventory.as_in_others")
+        raise InputError("scenario.missing", "station", allowed=allowed).at(f"{other}.toml")
     if shakemap is not None and (located or len(scenarios) > 1):
         raise InputError("common.left_out", "shakemap", where=phrase("inventory.map_beside_stations"))
     if shakemap is not None and scenarios[0].scenario.shaking.scale is not None:
