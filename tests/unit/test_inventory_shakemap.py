@@ -135,9 +135,9 @@ def test_a_map_around_the_earth_stays_as_it_is():
     ("name", "unit", "value", "reason"),
     [
         ("STDPGA", "ln(pctg)", "nan", "values of the field STDPGA"),
-        ("STDPGA", "pctg", 0.5, r"unit of STDPGA of the uncertainty is 'pctg'; it must be ln\(pctg\)"),
+        ("STDPGA", "pctg", 0.5, r"unit of STDPGA is 'pctg'; it must be ln\(pctg\)"),
         ("STDPGA", "log10(g)", 0.5, "unit of STDPGA"),
-        ("STDMMI", "ln(intensity)", 0.5, "unit of STDMMI of the uncertainty .* must be intensity"),
+        ("STDMMI", "ln(intensity)", 0.5, "unit of STDMMI .* must be intensity"),
     ],
 )
 def test_an_uncertainty_that_says_nothing_or_something_else_is_refused(tmp_path, name, unit, value, reason):
