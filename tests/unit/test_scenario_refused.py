@@ -60,7 +60,10 @@ def both_print(file: Path) -> str:
     [
         (piece(1, on="chest", at=[0.3, 0.0]), "furniture[1].at = [0.3, 0.0] must be a place on 'chest'"),
         (piece(0, mass=2e6), "furniture[0].mass is 2000000.0; it must be a number between 0.001 and 1e+06"),
-        (piece(2, measures=[{"type": "belt"}]), "The piece 'vase' has measures"),
+        (
+            piece(2, measures=[{"type": "belt"}]),
+            "furniture[2].measures is given for a piece that is neither a preset nor a box",
+        ),
         (piece(1, measures=[{"type": "glue"}]), "furniture[1].measures[0].type is 'glue'"),
         (piece(1, measures=[{"type": "belt"}, {"type": "belt"}]), "In [furniture[1]]: Belts is given twice"),
         (

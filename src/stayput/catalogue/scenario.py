@@ -26,7 +26,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{few}～{many}文字の文字列（制御文字を除く）",
     ),
     # Keys that do not go together
-    "without_preset": ("given where no preset is", "presetを使わない場合の値"),
+    "without_preset": ("given where no preset is", "プリセットを使わない場合の値"),
     "one_shape": (
         (
             "The piece {name!r} needs one shape: preset; width, length and height; diameter and height; "
