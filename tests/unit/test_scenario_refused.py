@@ -62,7 +62,7 @@ def both_print(file: Path) -> str:
         (piece(0, mass=2e6), "furniture[0].mass is 2000000.0; it must be a number between 0.001 and 1e+06"),
         (
             piece(2, measures=[{"type": "belt"}]),
-            "furniture[2].measures is given for a piece that is neither a preset nor a box",
+            "furniture[2].measures is given for a piece that is neither",
         ),
         (piece(1, measures=[{"type": "glue"}]), "furniture[1].measures[0].type is 'glue'"),
         (piece(1, measures=[{"type": "belt"}, {"type": "belt"}]), "In [furniture[1]]: Belts is given twice"),

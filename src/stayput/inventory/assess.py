@@ -184,7 +184,7 @@ def assess(
         "shake map": digests.get("shake map"),
         "field": field,
         "uncertainty": digests.get("uncertainty"),
-        "columns": mapping.key,
+        "columns": [[*map(list, mapping.pairs)], [*mapping.ignored]],
         "slide limit": limit,
     }
 

@@ -273,11 +273,6 @@ class ColumnMapping:
     pairs: tuple[tuple[str, str], ...] = ()
     ignored: tuple[str, ...] = ()
 
-    @property
-    def key(self) -> list[Any]:
-        """The mapping in a form that can be written as JSON."""
-        return [list(map(list, self.pairs)), list(self.ignored)]
-
     def places(self, names: Sequence[str]) -> tuple[dict[str, tuple[int, NumberUnit | None]], set[int]]:
         """Return the place of each mapped column with the unit that is stated, and the places not to use.
 

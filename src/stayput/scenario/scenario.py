@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
-from pathlib import Path  # noqa: TC003 - pydantic reads the annotations
+from os import PathLike
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
@@ -12,7 +13,7 @@ from pydantic import Field, PrivateAttr, model_validator
 
 from stayput.catalogue import phrase, say
 from stayput.contents.contents import emptied
-from stayput.errors import InputError, no_length, not_allowed, word_of
+from stayput.errors import InputError, instance_of, no_length, not_allowed, word_of
 from stayput.measures.measure import refuse_conflicts
 from stayput.motion.suites.suite import Suite
 from stayput.scenario.fields import between, checked, refuse_same_names
@@ -22,6 +23,7 @@ from stayput.scenario.pieces import OptionTable  # noqa: TC001 - pydantic reads 
 from stayput.scenario.scene import SceneTables
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import ContentsTable, EverydayTable, Heading, InitialTable
+from stayput.scenario.toml import read_toml
 from stayput.simulation.case import Case, simulate
 from stayput.uncertainty import QUANTITIES, Uncertainty
 
@@ -219,11 +221,6 @@ class Scenario(SceneTables):
         return None if table is None else table.contents(self.piece.shelves)
 
     @property
-    def without_measures(self) -> bool:
-        """Whether it was said in Python that no measures are compared, the usual ones neither."""
-        return self._own_options == ()
-
-    @property
     def options(self) -> tuple[Option, ...]:
         """What a verification compares, each under its name; empty where the file says nothing."""
         if self._own_options is not None:
@@ -353,4 +350,9 @@ def read_scenario(path: str | Path) -> Scenario:
     l_bracket: rocked
     stopper and poles: rocked
     """
-    return Scenario.read(path)
+    instance_of("path", path, (str, PathLike))
+    file = Path(path)
+    try:
+        return Scenario.parse(read_toml(file), file.parent, file.name)
+    except InputError as error:
+        raise error.at(file.name) from None
