@@ -206,7 +206,7 @@ def test_scenarios_without_a_station_are_events_for_all(tmp_path):
     assert [row["event"] for row in rows_of_results(done)] == ["a", "b"] * 5
     assert set(done.summary.events) == {"a", "b"}
     city(folder, CITY + STATION.format(lat=35.0, lon=135.0), "c.toml")
-    with pytest.raises(sp.InputError, match=r"a\.toml has no \[station\]"):
+    with pytest.raises(sp.InputError, match=r"a\.toml: station is missing"):
         read_scenarios(folder)
 
 

@@ -46,7 +46,7 @@ REJECTED = {
     "measure twice": (row(id="x", preset="chest", measures="wedge;wedge"), "twice"),
     "measures for one place": (row(id="x", preset="chest", measures="wedge_stopper+gel_mats"), "only one of them"),
     "taller than the room": (row(id="x", width="1", height="2.5", mass="9"), "inside the ceiling"),
-    "costs": (row(id="x", preset="chest", measures="wedge;sheet", costs="5"), "costs has 1 numbers"),
+    "costs": (row(id="x", preset="chest", measures="wedge;sheet", costs="5"), "it must be 2 numbers"),
     "no count": (row(id="x", preset="chest", count="0"), "count is 0"),
     "duplicate": (row(id="good", preset="chest"), "it must not be that of row 2"),
     "more cells": (GOOD.replace("good", "x") + ",1", "14 cells"),

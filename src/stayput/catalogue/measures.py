@@ -264,13 +264,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "「{measure}」の突っ張り力は{preload:g} Nです。天井の強さ（{strength:g} N）より小さくしてください。",
     ),
     "space_for": ("The space below the ceiling for “{measure}”", "「{measure}」のための天井までの空き"),
-    "share": (
-        "“{measure}” share is {share:g}; it must be no more than the upper half of this piece holds.",
-        (
-            "「{measure}」の割合は{share:g}ですが、この家具の上半分にはそれだけの重さがありません。"
-            "小さくしてください。"
-        ),
-    ),
+    "upper_half": ("no more than the upper half of this piece holds", "家具の上半分にある分以下"),
     "kinetic_friction": ("The kinetic friction of “{measure}”", "「{measure}」の動摩擦係数"),
 }
 """Texts by their keys: English, Japanese."""

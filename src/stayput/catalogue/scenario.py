@@ -77,7 +77,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "same_name": (
         "{name} is {value}; it must not be that of {other}.",
-        "{name}が{value}になっていますが、{other}と同じ名前です。別の名前にしてください。",
+        "{name}が{value}になっていますが、{other}と同じです。別のものにしてください。",
     ),
     "option_of_nothing": ("the option with nothing in place", "何も付けない案"),
     # The file itself

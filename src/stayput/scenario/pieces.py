@@ -15,7 +15,7 @@ from stayput.model.body import Body
 from stayput.model.parameters import SIZE_RANGE, parameters
 from stayput.model.room import WALLS_AROUND
 from stayput.scenario.fields import Table, Text, ValueTable, between, checked, fields_of, named, one_of
-from stayput.scenario.measures import SingleChoice, of_known_type
+from stayput.scenario.measures import SingleChoice
 from stayput.scenario.tables import Heading, Kind, Loads, usual_of
 from stayput.simulation.piece import BEHIND, Piece
 from stayput.simulation.scene import STRENGTH_RANGE, Joint
@@ -86,7 +86,7 @@ class PieceTable(ValueTable):
     gap: Annotated[float, between(0.0, 100.0, "m")] = Field(
         default=BEHIND, description="Between its back and that wall."
     )
-    measures: Annotated[MeasuresInPlace | None, of_known_type("furniture.measures", nested=True)] = Field(
+    measures: MeasuresInPlace | None = Field(
         default=None,
         description="Measures that hold it, each a table with its type: those of a preset or a box.",
     )
@@ -218,9 +218,7 @@ class HeldPieceTable(Table):
     """Measures on one of the pieces."""
 
     name: Text = Field(description="The piece.")
-    measures: Annotated[MeasuresInPlace, of_known_type("options.pieces.measures", nested=True)] = Field(
-        description="The measures on it, each a table with its type."
-    )
+    measures: MeasuresInPlace = Field(description="The measures on it, each a table with its type.")
 
 
 class OptionTable(Table):

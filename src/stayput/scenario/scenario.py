@@ -17,7 +17,7 @@ from stayput.errors import InputError, instance_of, no_length, not_allowed, word
 from stayput.measures.measure import refuse_conflicts
 from stayput.motion.suites.suite import Suite
 from stayput.scenario.fields import between, checked, refuse_same_names
-from stayput.scenario.measures import MeasureChoice, UncertaintyTable, of_known_type
+from stayput.scenario.measures import MeasureChoice, UncertaintyTable
 from stayput.scenario.option import NOTHING, Option
 from stayput.scenario.pieces import OptionTable  # noqa: TC001 - pydantic reads the annotations
 from stayput.scenario.scene import SceneTables
@@ -84,9 +84,7 @@ class Scenario(SceneTables):
     everyday: EverydayTable = Field(
         default_factory=EverydayTable, description="What people do to it without an earthquake."
     )
-    measure_tables: Annotated[
-        Annotated[list[MeasureChoice], Field(min_length=1, max_length=100)] | None, of_known_type()
-    ] = Field(
+    measure_tables: Annotated[list[MeasureChoice], Field(min_length=1, max_length=100)] | None = Field(
         default=None, alias="measures", description="What may hold the furniture; each is verified by itself."
     )
     option_tables: Annotated[list[OptionTable], Field(min_length=1, max_length=100)] | None = Field(
