@@ -93,10 +93,10 @@ def _type_of(value: object) -> str | None:
     return f"<{cast('dict[str, Any]', table).get('type')}>" if isinstance(table, dict) else None
 
 
-def _type_or_combined(value: Any) -> str | None:
+def _type_or_combined(value: object) -> str | None:
     """Return the tag of the table of a measure, or of several together."""
-    combined = isinstance(value, CombinedTable) or (isinstance(value, dict) and COMBINE in value)
-    return f"<{COMBINE}>" if combined else _type_of(value)
+    keys: Any = value.__dict__ if isinstance(value, BaseModel) else value
+    return f"<{COMBINE}>" if isinstance(keys, dict) and COMBINE in keys else _type_of(value)
 
 
 _TAGGED: list[Any] = [Annotated[table, Tag(f"<{kind}>")] for kind, table in TABLES.items()]
