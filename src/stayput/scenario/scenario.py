@@ -50,7 +50,7 @@ class Scenario(SceneTables):
     Examples
     --------
     >>> import stayput as sp
-    >>> tables = {"furniture": {"preset": "bookcase"}, "room": {"back_wall": {"gap": 0.02}}}
+    >>> tables = {"furniture": {"preset": "bookcase"}, "room": {"left_wall": {"gap": 0.02}}}
     >>> for scale in (0.2, 1.0):
     ...     shaking = {"builtin": "near-fault", "scale": scale}
     ...     print(scale, sp.Scenario.parse({**tables, "shaking": shaking}).run().outcome)
@@ -135,12 +135,11 @@ class Scenario(SceneTables):
         taken = {NOTHING: phrase("scenario.option_of_nothing")}
         refuse_same_names("options", [option.name for option in options], taken)
         for number, option in enumerate(options):
-            for place, piece in enumerate(option.pieces):
-                key = f"options[{number}].pieces[{place}]"
-                name = word_of(f"{key}.name", piece.name, names, f"{key}.name")
-                if not self.pieces[names.index(name)].is_furniture:
+            key = f"options[{number}].measures"
+            for piece in option.measures:
+                if not self.pieces[names.index(word_of(key, piece, names, key))].is_furniture:
                     where = phrase("scenario.of_a_solid")
-                    raise InputError("common.left_out", f"{key}.measures", where=where)
+                    raise InputError("common.left_out", f"{key}.{piece}", where=where)
             for name in names:
                 checked(f"options[{number}]", partial(refuse_conflicts, option.on(name)))
 
