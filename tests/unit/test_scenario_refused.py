@@ -72,7 +72,7 @@ def both_print(file: Path) -> str:
         ),
         (
             {"options": [{"name": "x", "measures": {"cupboard": [{"type": "belt"}]}}]},
-            "options[0].measures is 'cupboard', which names no piece",
+            "options[0].measures is 'cupboard'; it must be one of",
         ),
         (
             {"options": [{"name": "x", "measures": {"chest": [{"type": "glue"}]}}]},
