@@ -227,8 +227,8 @@ def test_command_writes_and_says_the_same(tmp_path):
         (("plot", "near-fault", "floor.txt", "--building", 10), ".png"),
         (("plot", "near-fault", "floor.png", "--building", 10, "--spectra", 99), "from 1 to 10"),
         (("plot", "near-fault", "floor.png", "--building", 10, "--spectra", "a"), "written like 3,8"),
-        (("plot", "near-fault", "floor.png", "--spectra", 3), "must come with --building"),
-        (("info", "near-fault", "--set", "room.floor=vinyl"), "must set a key of shaking"),
+        (("plot", "near-fault", "floor.png", "--spectra", 3), "--spectra is given without --building"),
+        (("info", "near-fault", "--set", "room.floor=vinyl"), "--set room.floor is given for a motion"),
     ],
 )
 def test_command_refuses_in_one_sentence(arguments, words):

@@ -129,9 +129,9 @@ def test_an_inventory_assesses_what_is_possible_and_names_what_is_not(tmp_path):
     assert [option["cost"] for option in fits["options"]] == [0.0, 700.0, 30.0]
     (missing,) = both["not_possible"]
     assert missing["name"] == "tension_pole"
-    assert "Tension poles have 0.01 m below the ceiling" in missing["reason"]
+    assert "The space below the ceiling for “Tension poles” is 0.01 m" in missing["reason"]
     assert [option["name"] for option in one["options"]] == ["none"]
     assert one["not_possible"] == both["not_possible"]
     assert fits["not_possible"] == []
     page = (done.folder / "report.html").read_text(encoding="utf-8").replace("\xa0", " ")
-    assert "tension_pole: not possible. Tension poles have 0.01 m below the ceiling" in page
+    assert "tension_pole: not possible. The space below the ceiling for “Tension poles” is 0.01 m" in page

@@ -278,7 +278,7 @@ def plot(
             response.model.place(storey)
         plot_building(response, out, storeys or None, title=building_title(response, lang), language=lang)
     elif spectra is not None:
-        raise InputError("cli.spectra_of_floors", "--spectra", value=repr(spectra))
+        raise InputError("common.left_out", "--spectra", where=phrase("cli.one_storey"))
     else:
         from stayput.report.names import motion_label
         from stayput.report.plot import plot_motion  # Matplotlib takes its time to load

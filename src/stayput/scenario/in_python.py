@@ -134,12 +134,7 @@ def named_sets(measures: MeasureSets) -> list[Option]:
 
 
 def _together(measures: Measure | Sequence[Measure]) -> tuple[Measure, ...]:
-    if isinstance(measures, str):
-        raise InputError("scenario.measure_by_name", "measures", value=repr(measures))
-    if isinstance(measures, tuple | list):
-        together = list_of("measures", measures, Measure)
-    else:
-        together = (instance_of("measures", measures, Measure),)
+    together = list_of("measures", measures if isinstance(measures, tuple | list) else (measures,), Measure)
     refuse_conflicts(together)
     return together
 

@@ -378,5 +378,6 @@ def _refuse_vertical(motion: Motion, key: str, file: str) -> None:
     """Refuse a vertical record beside others: each of them says which component it is of."""
     listing = motion.listing
     if listing is not None and listing.vertical[listing.used]:
-        name, label = f"shaking.{key}", listing.names[listing.used]
-        raise InputError("scenario.vertical_across", name, file=repr(file), label=label)
+        hint = phrase("common.aside", content=repr(listing.names[listing.used]))
+        name, allowed = f"shaking.{key}", phrase("scenario.horizontal")
+        raise InputError("common.not_allowed", name, value=repr(file), hint=hint, allowed=allowed)

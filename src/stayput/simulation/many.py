@@ -120,7 +120,7 @@ def run_columns(
     -------
     tuple
         RESULT, shape [m], and DEVICE, shape [m, n] (`stayput.mechanics`); the bits do not depend on the
-        threads. Forces are per unit mass; `stayput.measures.element.failures_of` sums the devices up.
+        threads. Forces are per unit mass; `stayput.simulation.outcome.case_results` sums the devices up.
 
     Raises
     ------

@@ -14,6 +14,7 @@ from stayput.errors import (
     instance_of,
     kinetic_above_static,
     list_of,
+    not_allowed,
     numbers,
     whole_within,
     within,
@@ -129,7 +130,7 @@ def refuse_places(
     for number, (on, against, along) in enumerate(stated):
         key = f"pieces[{number}]"
         if on is not None and on not in names[:number]:
-            raise InputError("scenario.stands_on", f"{key}.on", value=repr(on))
+            raise not_allowed(f"{key}.on", repr(on), "scenario.given_before", f"{key}.on")
         if against is not None and not in_plan:
             where = phrase("rooms.against_without_plan")
             raise InputError("common.left_out", f"{key}.against", where=where)
