@@ -21,8 +21,8 @@ export function show(verdict, take) {
         el(
           "div",
           { class: "optionbar" },
-          bar(one.overturned),
-          el("span", { class: "share", text: percent(one.overturned.estimate) }),
+          bar(one.probabilities.overturned),
+          el("span", { class: "share", text: percent(one.probabilities.overturned.estimate) }),
           grade(one, one.grade),
         ),
         el("p", { class: "hint", text: both(one.reason) }),
