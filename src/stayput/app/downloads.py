@@ -16,7 +16,7 @@ from starlette.responses import Response
 
 from stayput.app.middleware import REPORT_POLICY
 from stayput.app.refusals import refused
-from stayput.app.running import own_measures, pieces_run, run_of
+from stayput.app.running import own_measures, runs_of
 from stayput.report.animation import animate_run
 from stayput.report.names import names_of
 from stayput.rooms.verdict import RoomVerdict
@@ -67,7 +67,7 @@ def scene_toml(scenario: Scenario, motions: Motions) -> str:
     names = {key: value for key in RECORD_FILES if isinstance(value := getattr(shaking, key), str)}
     if not names:
         return scenario.to_toml()
-    changed = shaking.model_copy(update={key: motions.label(value) for key, value in names.items()})
+    changed = shaking.model_copy(update={key: motions.with_file_names(value) for key, value in names.items()})
     note = "# Put the record's file beside this one.\n"
     return note + scenario.model_copy(update={"shaking": changed}).to_toml()
 
@@ -190,9 +190,7 @@ def film(
 
 def _shown(scenario: Scenario, *, held: bool) -> Run:
     """Return the run of a scene."""
-    if not scenario.alone:
-        return pieces_run(scenario)
-    return run_of(scenario, scenario.motion(), own_measures(scenario) if held else ())
+    return runs_of(scenario, own_measures(scenario) if held else ())[0]
 
 
 def _forces(run: Run) -> dict[str, NDArray[np.float64]]:
@@ -221,6 +219,6 @@ def report_page(verdict: AnyVerdict, language: str, motions: Motions) -> bytes:
     from stayput.report.verdict.html import report_html  # Matplotlib takes its time to load
 
     if isinstance(verdict, RoomVerdict):
-        return motions.named(room_html(verdict, language)).encode("utf-8")
+        return motions.with_file_names(room_html(verdict, language)).encode("utf-8")
     with _drawing:
-        return motions.named(report_html(verdict, language)).encode("utf-8")
+        return motions.with_file_names(report_html(verdict, language)).encode("utf-8")

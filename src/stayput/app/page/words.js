@@ -1,29 +1,23 @@
 // The page's language: one table of words for each, chosen at the start and switched at any time.
 
-import * as api from "./api.js";
 import { rounded } from "./canvas/digits.js";
-import { FILES, LANGUAGES, TABLES } from "./words_table.js"; // made by the server from its catalogue
+import { TABLES } from "./words_table.js"; // made by the server from its catalogue
 
-let [language] = Object.keys(TABLES), // the one whose words came with the page
-  awaited = language;
+let language = "en";
 
 /** The language now: "en" or "ja". */
 export const spoken = () => language;
 
-/** Chooses a language, whose words are fetched where they are not here yet, and puts them into the page. */
-export async function speak(wanted) {
-  const chosen = LANGUAGES.includes(wanted) ? wanted : "en";
-  awaited = chosen;
-  TABLES[chosen] ??= await api.words(FILES[chosen]);
-  if (awaited !== chosen) return; // another one was chosen meanwhile
-  language = chosen;
+/** Chooses a language, and puts its words into the page. */
+export function speak(wanted) {
+  language = wanted in TABLES ? wanted : "en";
   document.documentElement.lang = language;
   translate(document);
 }
 
 /** The language that the reader's browser asks for, of those there are. */
 export const preferredLanguage = () =>
-  (navigator.languages ?? []).map((tag) => tag.slice(0, 2)).find((tag) => LANGUAGES.includes(tag)) ?? "en";
+  (navigator.languages ?? []).map((tag) => tag.slice(0, 2)).find((tag) => tag in TABLES);
 
 /** The words for a key; "{name}" in them is replaced by the value of that name. */
 export function t(key, values = {}) {

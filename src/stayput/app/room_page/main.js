@@ -128,7 +128,7 @@ function wire() {
 }
 
 async function begin() {
-  await screens.begin("scene");
+  screens.begin("scene");
   readInks();
   screens.wire(() => presets && again());
   try {
