@@ -63,7 +63,7 @@ function again() {
   readInks();
   for (const panel of PANELS) panel.build(presets);
   upload.again();
-  editor.translate();
+  editor.build();
   theatre.again(presets);
   verdict.build();
   files.build();
@@ -138,7 +138,7 @@ async function begin() {
     presets = await patiently(api.presets);
     fill(part("verdict"));
   }
-  editor.build(part("editor"), presets);
+  editor.wire(presets);
   room.replace(await take(location.hash));
   undoMemory.wire();
   for (const panel of PANELS) panel.build(presets);
