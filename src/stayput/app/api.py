@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
@@ -16,11 +17,10 @@ from stayput.app.presets import presets
 from stayput.app.room_api import add_rooms
 from stayput.app.run_replies import SimulateReply
 from stayput.app.running import shaking_reply, simulated
-from stayput.app.scenes import several_pieces
 from stayput.app.service import OF_BODY, OF_JOB, Service, json_response, of_file, problems
 from stayput.app.turns import StoppedError
 from stayput.app.verdict_replies import EverydayReply, JobReply
-from stayput.app.verification import everyday_reply, runs_of, with_everyday, with_options
+from stayput.app.verification import everyday_reply, runs_of, with_options
 from stayput.catalogue import Language  # noqa: TC001 - FastAPI reads the annotations
 from stayput.scenario import Scenario
 from stayput.scenario.toml import table_of_toml
@@ -41,11 +41,16 @@ Which = Annotated[Literal["without", "with"], Query()]
 def api(service: Service) -> APIRouter:
     """Return the routes under /api/v1."""
     router = APIRouter(prefix="/api/v1")
-    parts = {"general": (_add_general,), "runs": (_add_runs,), "verification": (_add_jobs, add_rooms)}
-    for tag, added in {**parts, "motions": (_add_motions,)}.items():
+    parts = (
+        ("general", _add_general),
+        ("runs", _add_runs),
+        ("verification", _add_jobs),
+        ("verification", add_rooms),
+        ("motions", _add_motions),
+    )
+    for tag, add in parts:
         routes = APIRouter(tags=[tag])
-        for add in added:
-            add(routes, service)
+        add(routes, service)
         router.include_router(routes)
     return router
 
@@ -94,7 +99,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
             reply.motion.name = service.motions.with_file_names(reply.motion.name)
             return json_response(reply)
 
-        workers = service.slow if several_pieces(body.scene) else service.workers
+        workers = service.slow if isinstance(body.scene.get("furniture"), list) else service.workers
         return await service.while_awaited(workers, request, work)
 
     @router.post("/simulate/csv", **of_file(OF_BODY, "text/csv"))
@@ -184,7 +189,8 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
         service.verdict(name)
         scenario = await service.workers.run(service.lone_piece, body.scene)
         job, verdict = service.verdict(name)
-        changed = with_everyday(verdict, scenario.everyday)
+        same = verdict.scenario.model_copy(update={"everyday": scenario.everyday})
+        changed = replace(verdict, scenario=same)
         job.verdict, job.reports = changed, {}
         return await service.workers.run(lambda: json_response(everyday_reply(changed)))
 

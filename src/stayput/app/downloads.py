@@ -9,7 +9,7 @@ import tempfile
 import threading
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from starlette.responses import Response
@@ -24,7 +24,7 @@ from stayput.scenario import Scenario
 from stayput.scenario.shaking import RECORD_FILES
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable
 
     from numpy.typing import NDArray
 
@@ -89,13 +89,11 @@ def run_csv(scenario: Scenario, *, held: bool) -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     modes = list[str](run.mode.tolist())
-    for number, name in enumerate(names_of(run, "en")):
-        columns = _of_piece(run, number)
-        if number == 0:
-            writer.writerow(["piece", *columns, *(["mode"] if modes else [])])
-        writer.writerows(
-            [name, *row, *modes[sample : sample + 1]] for sample, row in enumerate(_rows(columns))
-        )
+    tables = [(name, _of_piece(run, number)) for number, name in enumerate(names_of(run, "en"))]
+    writer.writerow(["piece", *tables[0][1], *(["mode"] if modes else [])])
+    for name, columns in tables:
+        for sample, values in enumerate(zip(*(column.tolist() for column in columns.values()), strict=True)):
+            writer.writerow([name, *(f"{value:.9g}" for value in values), *modes[sample : sample + 1]])
     return text.getvalue()
 
 
@@ -122,11 +120,6 @@ def _of_piece(run: Run, number: int) -> dict[str, NDArray[np.float64]]:
         },
         **_forces(run),
     }
-
-
-def _rows(columns: dict[str, NDArray[np.float64]]) -> Iterator[list[str]]:
-    for values in zip(*(column.tolist() for column in columns.values()), strict=True):
-        yield [f"{value:.9g}" for value in values]
 
 
 def film_kinds() -> tuple[str, ...]:
@@ -179,12 +172,11 @@ def film(
     motion = scenario.motion()
     if kind != "html" and seconds is None and motion.duration > limits.film:
         raise refused(422, "app.long_film", "scene.shaking", value=motion.duration, most=limits.film)
-    options: dict[str, Any] = {"language": language, "seconds": seconds, "note": note, "progress": progress}
     with tempfile.TemporaryDirectory(prefix="stayput-film-") as folder:
         path = Path(folder, f"run.{kind}")
         shown = _shown(scenario, held=held)
         run = replace(shown, motion=replace(shown.motion, name=named(shown.motion.name)))
-        animate_run(run, path, **options)
+        animate_run(run, path, language=language, seconds=seconds, note=note, progress=progress)
         return path.read_bytes()
 
 

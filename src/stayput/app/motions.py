@@ -23,7 +23,7 @@ import numpy as np
 
 from stayput.app.reader import ReadingResult, ReadingTask
 from stayput.app.refusals import RefusedError, problem, refused
-from stayput.app.replies import ChannelReply, DoubtReply, MotionReply, PreviewReply
+from stayput.app.replies import ChannelReply, MotionReply, PreviewReply
 from stayput.app.requests import ID
 from stayput.app.turns import CLIENT, Client, Workers, first_to_go
 from stayput.errors import InputError
@@ -245,7 +245,7 @@ class Motions:
             intensity=intensity,
             intensity_class=None if motion.floor else class_of(intensity),
             expires_in_s=max(0.0, self._limits.keep - (time.monotonic() - stored.last_used)),
-            warnings=[DoubtReply.from_attributes(problem(warning)) for warning in stored.warnings],
+            warnings=[problem(warning) for warning in stored.warnings],
             shaking=stored.shaking,
         )
 

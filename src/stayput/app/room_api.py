@@ -10,9 +10,9 @@ from fastapi import Depends, Query, Request
 from starlette.responses import Response
 
 from stayput.app.middleware import REPORT_POLICY
-from stayput.app.refusals import RefusedError, refused, too_many_runs
+from stayput.app.refusals import RefusedError, refused
 from stayput.app.requests import Name, RoomRequest  # noqa: TC001 - FastAPI reads the annotations
-from stayput.app.scenes import motions_of, refusal
+from stayput.app.scenes import motions_of, refusal, too_many
 from stayput.app.service import OF_BODY, OF_JOB, json_response, of_file, problems
 from stayput.app.turns import Turn
 from stayput.app.verdict_replies import JobReply, PlanProgressReply
@@ -145,7 +145,7 @@ def _checked(scenario: Scenario, limits: Limits) -> int:
     motions = motions_of(scenario.shaking)
     runs = len(groups_of(scenario)) * motions * max(1, -(-scenario.samples // motions))
     if runs > limits.runs_of_room:
-        raise too_many_runs(runs, limits.runs_of_room)
+        raise too_many("uncertainty.samples", runs, limits.runs_of_room, "app.runs")
     return runs
 
 

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import base64
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.app.refusals import problem, too_many_runs
+from stayput.app.refusals import problem
 from stayput.app.replies import Words
 from stayput.app.running import own_measures
-from stayput.app.scenes import motions_of
+from stayput.app.scenes import motions_of, too_many
 from stayput.app.verdict_replies import (
     EverydayReply,
     JobReply,
@@ -44,8 +43,6 @@ if TYPE_CHECKING:
     from stayput.app.jobs import AnyVerdict, Job
     from stayput.app.limits import Limits
     from stayput.fragility import FragilityCurve
-    from stayput.measures import Measure
-    from stayput.scenario.tables import EverydayTable
     from stayput.verification import Verdict
     from stayput.verification.verdict import OptionVerdict
 
@@ -74,25 +71,18 @@ def with_options(scenario: Scenario, data: dict[str, Any], compare_usual: bool) 
     if not yours:
         compared_options(scenario)
         return scenario
-    tables: list[dict[str, Any]] = [{"name": YOURS, "combine": [table_of(measure) for measure in yours]}]
-    seen = {yours}
     alone = [(measure,) for measure in yours]
     body, room = scenario.piece.body(), scenario.room.room()
     for measures in (yours, *alone):
         hold(body, room, measures)
-    for measures in (*alone, *(option.measures for option in usual() if compare_usual)):
-        if measures not in seen:
-            seen.add(measures)
-            tables.append(_option(measures, {table.get("name") for table in tables}))
-    return Scenario.parse({**data, "measures": tables}, scenario.folder)
-
-
-def _option(measures: tuple[Measure, ...], taken: set[Any]) -> dict[str, Any]:
-    name = " + ".join(measure.kind for measure in measures)
-    while name in taken:  # the same kind with parameters of the user's
-        name += ", as usual"
-    tables = [table_of(measure) for measure in measures]
-    return {**tables[0], "name": name} if len(tables) == 1 else {"name": name, "combine": tables}
+    others = [option.measures for option in usual() if compare_usual]
+    tables: dict[str, dict[str, Any]] = {}
+    for measures in dict.fromkeys([yours, *alone, *others]):
+        name = YOURS if measures == yours else " + ".join(measure.kind for measure in measures)
+        while name in tables:  # the same kind with parameters of the user's
+            name += ", as usual"
+        tables[name] = {"name": name, "combine": [table_of(measure) for measure in measures]}
+    return Scenario.parse({**data, "measures": [*tables.values()]}, scenario.folder)
 
 
 def runs_of(scenario: Scenario, limits: Limits, levels: int) -> int:
@@ -113,7 +103,7 @@ def runs_of(scenario: Scenario, limits: Limits, levels: int) -> int:
         runs += options * runs_of_contents(scenario.contents, motions)
     allowed = limits.runs if scenario.dimensions == 2 else limits.runs_in_space
     if runs > allowed:
-        raise too_many_runs(runs, allowed)
+        raise too_many("uncertainty.samples", runs, allowed, "app.runs")
     return runs
 
 
@@ -159,11 +149,6 @@ def verdict_reply(verdict: Verdict) -> VerdictReply:
             "everyday": everyday_reply(verdict),
         }
     )
-
-
-def with_everyday(verdict: Verdict, everyday: EverydayTable) -> Verdict:
-    """Return a verdict on the same piece with which people do something else."""
-    return replace(verdict, scenario=verdict.scenario.model_copy(update={"everyday": everyday}))
 
 
 def everyday_reply(verdict: Verdict) -> EverydayReply:

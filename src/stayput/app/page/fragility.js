@@ -3,6 +3,7 @@
 import { label, shortClass, titles } from "./axes.js";
 import { el, fill, part, svg, widthFor } from "./dom.js";
 import { classesKnown } from "./panel_shaking.js";
+import { nameOf } from "./ranking.js";
 import { without, yours } from "./verdict.js";
 import { both, number, percent, t } from "./words.js";
 
@@ -65,7 +66,7 @@ export function show(verdict, ask) {
           svg("path", { class: `dot c${i}`, d: MARKS[i](20, 6) }),
         ),
         el("span", {
-          text: `${name(one)}${t("colon")}${t("half", { at: capacity(one.capacities.find(({ share }) => share === 0.5)) })}`,
+          text: `${nameOf(one)}${t("colon")}${t("half", { at: capacity(one.capacities.find(({ share }) => share === 0.5)) })}`,
         }),
       ),
     ),
@@ -82,8 +83,6 @@ const hereText = (at) =>
     "text-anchor": at > W - 60 ? "end" : at < LEFT + 40 ? "start" : "middle",
     text: t("here"),
   });
-
-const name = (one) => (one.measures.length ? both(one.label) : t("without"));
 
 /** An intensity with the range that it surely lies in; only bounds where the simulations do not reach it. */
 function capacity({ jma_intensity: estimate, low, high, above, below, one_motion: alone }) {

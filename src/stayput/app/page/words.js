@@ -28,18 +28,19 @@ export function t(key, values = {}) {
 /** Whether there are words for a key. */
 const known = (key) => key in TABLES[language];
 
-/** The words for one of the choices that a field has. */
-export const choiceLabel = (id) => (known(`choice_${id}`) ? t(`choice_${id}`) : id);
+/** The words of a kind for an id; itself where there are none. */
+const labelled = (kind, id) => (known(`${kind}_${id}`) ? t(`${kind}_${id}`) : id);
 
-const placed = (word) => (known(`place_${word}`) ? t(`place_${word}`) : word);
+/** The words for one of the choices that a field has. */
+export const choiceLabel = (id) => labelled("choice", id);
 
 /** The words for where a device is: "front left"; of many of a kind each has a number, "front 3". */
 const placeLabel = (place) => {
-  if (known(`place_${place}`)) return placed(place);
+  if (known(`place_${place}`)) return t(`place_${place}`);
   const words = place.split(" ");
   // that of a joint is the names of two pieces, which are the user's own
   const ours = words.every((word) => known(`place_${word}`) || /^\d+$/.test(word));
-  return ours ? words.map(placed).join(t("space")) : place;
+  return ours ? words.map((word) => labelled("place", word)).join(t("space")) : place;
 };
 
 /** What a device is called, and where it is. */

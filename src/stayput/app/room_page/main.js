@@ -5,6 +5,7 @@ import { beforeNextFrame } from "../canvas/clock.js";
 import { readInks } from "../canvas/pen.js";
 import { patiently } from "../connection.js";
 import { el, fill, part } from "../dom.js";
+import { showLink } from "../films.js";
 import * as building from "../panel_building.js";
 import * as shaking from "../panel_shaking.js";
 import { worded } from "../refusals.js";
@@ -145,13 +146,7 @@ async function begin() {
   wire();
   environment.wire(presets, lost);
   again();
-  address.wire((long, missing) => {
-    part("link-record").hidden = missing === null;
-    part("link-record").textContent = missing === null ? "" : t("linkRecord", { name: missing });
-    part("link").hidden = long;
-    part("link-long").hidden = !long;
-    part("address").value = location.href;
-  });
+  address.wire(showLink);
   changed();
   document.documentElement.dataset.ready = "true";
 }
