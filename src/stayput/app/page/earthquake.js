@@ -8,6 +8,7 @@ import { clamp, numberOf, wordsOf } from "./scene.js";
 import { both, t } from "./words.js";
 
 const WAYS = ["intensity", "mmi", "pga", "pgv", "sa", "earthquake"];
+const SINGLE = ["mmi", "pga", "pgv"]; // those that are one number, whose field is called as the way
 const MERCALLI = [4, 5, 6, 7, 8, 9, 10];
 const GROUNDS = [600, 300, 180];
 
@@ -36,7 +37,7 @@ export function build(container, { get, set, presets, scene }) {
   const number = (name, also) => slider({ label: t(name), ...numberOf(presets, name), ...also });
   const way = choice({
     label: t("knownBy"),
-    options: WAYS.map((id) => ({ id, label: t(`by_${id}`) })),
+    options: WAYS.map((id) => ({ id, label: t(SINGLE.includes(id) ? id : `by_${id}`) })),
     changed: (id) => set(structuredClone(FIRST[id])),
   });
   const fields = {
@@ -87,7 +88,7 @@ export function build(container, { get, set, presets, scene }) {
     const entry = get(),
       now = wayOf(entry);
     way.set(now);
-    for (const name of ["mmi", "pga", "pgv"]) {
+    for (const name of SINGLE) {
       fields[name].element.hidden = name !== now;
       if (name === now) fields[name].set(name === "mmi" ? String(entry.mmi) : entry[name]);
     }
