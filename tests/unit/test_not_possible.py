@@ -65,7 +65,7 @@ def test_every_form_says_so_with_the_reason(verdict, language, said):
     columns = {line.count(" | ") for line in text.splitlines() if line.startswith(("| –", "| 1", "| 2"))}
     assert len(columns) == 1
     reply = verdict_reply(verdict)
-    assert [getattr(other.reason, language) for other in reply.not_possible] == [why]
+    assert [other["reason"][language] for other in reply.not_possible] == [why]
     data = json.loads(verdict.to_json())
     (told,) = data["not_possible"]
     assert (told["reason"][language], told["name"], len(data["options"])) == (why, "急なベルト", 2)
