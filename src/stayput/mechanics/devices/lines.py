@@ -12,12 +12,12 @@ import math
 from stayput.compiling import inline, inner
 from stayput.mechanics.devices.columns import AXIAL, NORMAL, SLACK, TANGENT
 from stayput.mechanics.devices.device_law import (
-    branch_of,
     clipped,
     force_of,
     margins_of,
     note_force,
     push_of,
+    set_law,
     utilization_of,
 )
 from stayput.mechanics.roots import SLACK_FORCE, level_of, parabola_negative_at
@@ -33,25 +33,6 @@ def _set_place(el, link, line, i, u, v, x, z):
     line.p, line.q = nx * u + nz * v, nx * v - nz * u
     line.reach = math.sqrt(u * u + v * v)
     line.a = -el.length if el.kind == AXIAL else -(nx * line.x + nz * line.z)
-
-
-@inline
-def _set_branch(line, branch):
-    """Copy a `Branch` into the row of its line."""
-    line.state, line.constant, line.k, line.c = branch.state, branch.constant, branch.k, branch.c
-    line.per_push, line.stiffness, line.damping = branch.per_push, branch.stiffness, branch.damping
-    line.low_at_0, line.low_per_force, line.low_per_push = (
-        branch.low_at_0,
-        branch.low_per_force,
-        branch.low_per_push,
-    )
-    line.high_at_0, line.high_per_force, line.high_per_push = (
-        branch.high_at_0,
-        branch.high_per_force,
-        branch.high_per_push,
-    )
-    line.bears_friction = branch.bears_friction
-    line.per_plus, line.per_minus = branch.per_plus, branch.per_minus
 
 
 @inner
@@ -76,7 +57,7 @@ def set_lines(elements, links, case, corner, x, z, work):
             _set_place(el, link, line, i, u, v, x, z)
             if corner < 0:
                 line.reach = math.inf
-            _set_branch(line, branch_of(el, link, i))
+            set_law(line, el, link, i)
             count += 1
     work.lines = count
 

@@ -100,15 +100,20 @@ def _set_up_step(contacts, count, held, system):
     for d in range(springs.shape[0]):
         spring, pull = springs[d], pulls[d]
         if damps(spring, pull):
-            D = damping_of(pull)
-            answer = _damped(D, by_rows(rows, count + d, 0, spring.body, spring.other, gained))
-            p = added((pull.dx, pull.dy, pull.dz), -1.0, answer)
-            add_pair(matrix, vector, spring.body, spring.other, rows, count + d, p, D)
+            p = _left_of(spring, pull, rows, count + d, gained)
+            add_pair(matrix, vector, spring.body, spring.other, rows, count + d, p, damping_of(pull))
 
 
 @inline
 def _damped(D, u):
     return dot(D[0], u), dot(D[1], u), dot(D[2], u)
+
+
+@inline
+def _left_of(spring, pull, rows, k, gained):
+    """Return the change of a damper's impulse at the velocities gained, which answer it."""
+    answer = _damped(damping_of(pull), by_rows(rows, k, 0, spring.body, spring.other, gained))
+    return added((pull.dx, pull.dy, pull.dz), -1.0, answer)
 
 
 @inner
@@ -175,13 +180,8 @@ def _minimize(contacts, count, held, system, within, work):
             spring, pull = springs[d], pulls[d]
             if damps(spring, pull):
                 e = by_rows(rows, count + d, 0, spring.body, spring.other, vector)
-                u = by_rows(rows, count + d, 0, spring.body, spring.other, gained)
-                answer = _damped(damping_of(pull), u)
-                slope -= (
-                    (pull.dx - answer[0]) * e[0] + (pull.dy - answer[1]) * e[1] + (pull.dz - answer[2]) * e[2]
-                )
-                more = _damped(damping_of(pull), e)
-                curvature += more[0] * e[0] + more[1] * e[1] + more[2] * e[2]
+                slope -= dot(_left_of(spring, pull, rows, count + d, gained), e)
+                curvature += dot(_damped(damping_of(pull), e), e)
         for k in range(count):
             c = contacts[k]
             c.en, c.es, c.et = by_rows(rows, k, 0, c.a, c.b, vector)
@@ -271,6 +271,5 @@ def find_impulses(contacts, count, held, bodies, poses, system, accuracy, enough
     for d in range(springs.shape[0]):
         spring, pull = springs[d], pulls[d]
         if damps(spring, pull):
-            answer = _damped(damping_of(pull), by_rows(rows, count + d, 0, spring.body, spring.other, gained))
-            change_impulse(spring, pull, bodies, poses, added((pull.dx, pull.dy, pull.dz), -1.0, answer))
+            change_impulse(spring, pull, bodies, poses, _left_of(spring, pull, rows, count + d, gained))
     return least

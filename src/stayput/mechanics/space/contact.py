@@ -7,13 +7,7 @@ import math
 from stayput.compiling import inline
 from stayput.mechanics.space.body import angular_response, rotation, velocity
 from stayput.mechanics.space.touching import ROOM
-from stayput.mechanics.space.vectors import added, cross, dot, scaled
-
-
-@inline
-def normal_of(c):
-    """Return a contact's normal, towards body a."""
-    return c.nx, c.ny, c.nz
+from stayput.mechanics.space.vectors import added, cross, dot, normal_of, scaled
 
 
 @inline

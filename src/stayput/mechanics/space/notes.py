@@ -5,9 +5,9 @@ from __future__ import annotations
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import in_room
 from stayput.mechanics.space.columns import BY_BODIES, BY_ROOM, HIT_SPEED, ON_BODY, ON_FLOOR, ON_ROOM
-from stayput.mechanics.space.contact import first_tangent, normal_of, second_tangent
+from stayput.mechanics.space.contact import first_tangent, second_tangent
 from stayput.mechanics.space.touching import ROOM
-from stayput.mechanics.space.vectors import added, scaled
+from stayput.mechanics.space.vectors import added, normal_of, scaled
 
 
 @inner

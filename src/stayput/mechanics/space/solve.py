@@ -32,7 +32,6 @@ from stayput.mechanics.space.contact import (
     friction_lever_b,
     lever_a,
     lever_b,
-    normal_of,
     opening,
     push,
     second_tangent,
@@ -40,7 +39,7 @@ from stayput.mechanics.space.contact import (
 )
 from stayput.mechanics.space.newton import improve, set_rows
 from stayput.mechanics.space.touching import ROOM
-from stayput.mechanics.space.vectors import added, cross, dot, norm, scaled, tangents
+from stayput.mechanics.space.vectors import added, cross, dot, norm, normal_of, scaled, tangents
 
 IMPACT = 1e-3
 """Closing velocity from which on a contact bounces [m/s]."""

@@ -32,6 +32,12 @@ def scaled(factor, a):
 
 
 @inline
+def normal_of(what):
+    """Return the normal of a plane, contact, face or device."""
+    return what.nx, what.ny, what.nz
+
+
+@inline
 def norm(a):
     """Return |a|."""
     return math.sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2])
