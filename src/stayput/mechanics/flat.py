@@ -1,7 +1,5 @@
 """Rest and flat sliding: the modes without rotation, in closed form."""
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import entry, inner

@@ -5,8 +5,6 @@ mass, so N/kg. An element joins a point of the body to a place in the room. It h
 NORMAL and TANGENT, each a spring with a damper, slack, strength and plastic elongation; see `device_law`.
 """
 
-from __future__ import annotations
-
 from stayput.mechanics.columns import CONTACTS, floats, integers, record
 
 # kinds of element

@@ -21,8 +21,6 @@ keeps slipping, and the slip left until it is lost: a friction line with an ulti
 its slip |p| from where it was at first reaches it, whatever it slipped to and fro.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner

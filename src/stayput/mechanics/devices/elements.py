@@ -6,8 +6,6 @@ in it; the element forces are constant at rest. The facets of the cone are linea
 which rest ends is exact, and blocks of the record can be skipped.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner
@@ -175,8 +173,7 @@ def _add_facet(work, n, root, slack):
     """Add a facet, unless it exists or there is no room; `add_wrench` adds the elements' force later."""
     c0, c1, c2 = slack, n[0], n[1]
     c3 = n[2] / root
-    for k in range(work.facets):
-        f = work.facet[k]
+    for f in work.facet[: work.facets]:
         if abs(f[1] - c1) + abs(f[2] - c2) + abs(f[3] - c3) < 1e-9:
             return
     if work.facets < col.MAX_FACETS:
@@ -231,8 +228,7 @@ def _add_end_facets(rows, first, count, lifted, normal, root, work):
 def load_within_facets(work, a, G, wrench):
     """Whether the load, with the elements' wrench, is inside all facets."""
     fx, fz, fl = wrench
-    for k in range(work.facets):
-        f = work.facet[k]
+    for f in work.facet[: work.facets]:
         if f[0] + f[1] * (a - fx) + f[2] * (G - fz) - f[3] * fl < 0.0:
             return False
     return True
@@ -258,8 +254,7 @@ def add_floor_limits(rows, count, lifted, a, G, wrench, I, work, spare):
         _add_facet(work, (size * tl, size * nl, -size), 1.0, 0.0)
     elif on_floor == 2 and count > 2:
         cone_facets(rows, 0, 2, -1, I, spare)
-        for k in range(spare.facets):
-            f = spare.facet[k]
+        for f in spare.facet[: spare.facets]:
             if f[0] + f[1] * (a - fx) + f[2] * (G - fz) - f[3] * fl >= 0.0:
                 _add_facet(work, (f[1], f[2], f[3]), 1.0, f[0])
 
@@ -268,16 +263,14 @@ def add_floor_limits(rows, count, lifted, a, G, wrench, I, work, spare):
 def add_wrench(work, wrench):
     """Put the constant wrench of the elements into the facets, which leaves c₀ + c₁ẍ_G + c₂G."""
     fx, fz, fl = wrench
-    for k in range(work.facets):
-        f = work.facet[k]
+    for f in work.facet[: work.facets]:
         f[0] -= f[1] * fx + f[2] * fz + f[3] * fl
 
 
 @inner
 def range_within_facets(work, a0, a1, z0, z1):
     """Whether all loads with ẍ_G from a0 to a1 and G from z0 to z1 are inside all facets."""
-    for j in range(work.facets):
-        f = work.facet[j]
+    for f in work.facet[: work.facets]:
         if f[0] + lowest_product(f[1], a0, a1) + lowest_product(f[2], z0, z1) < 0.0:
             return False
     return True
@@ -287,8 +280,7 @@ def range_within_facets(work, a0, a1, z0, z1):
 def time_within_facets(work, a0, G0, a1, G1, h):
     """Time in a step, with these loads at its ends, at which they leave the facets, or h."""
     first = h
-    for j in range(work.facets):
-        f = work.facet[j]
+    for f in work.facet[: work.facets]:
         m0, m1 = f[0] + f[1] * a0 + f[2] * G0, f[0] + f[1] * a1 + f[2] * G1
         if m1 < 0.0:
             first = min(first, 0.0 if m0 <= 0.0 else h * m0 / (m0 - m1))

@@ -5,8 +5,6 @@ elongation about the *origin*, G or a fulcrum that sticks, is e = a + n·(x, z) 
 derivative by θ is the lever of the force about that origin.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner
@@ -93,8 +91,7 @@ def place_of(line, sin, cos, moves, x, z, vx, vz, omega):
 def line_force(work, sin, cos, moves, x, z, vx, vz, omega):
     """Force of the lines on the body and its moment about the origin, + clockwise; stores nothing."""
     fx = fz = moment = push = 0.0
-    for r in range(work.lines):
-        line = work.line[r]
+    for line in work.line[: work.lines]:
         if line.state == SLACK:
             push = 0.0
             continue
@@ -113,8 +110,7 @@ def evaluate_lines(work, sin, cos, moves, x, z, vx, vz, omega):
     """
     fx = fz = moment = push = push_rate = used = 0.0
     least = math.inf
-    for r in range(work.lines):
-        line = work.line[r]
+    for line in work.line[: work.lines]:
         e, rate, nx, nz, lever = place_of(line, sin, cos, moves, x, z, vx, vz, omega)
         F = force_of(line, e, rate, push)
         low, high = margins_of(line, e, rate, F, push, push_rate)
@@ -136,8 +132,7 @@ def begin_step(work):
     A margin that starts at its limit must fall below it by a slack; see `roots.level_of`.
     """
     slack = work.slack_factor * SLACK_FORCE
-    for r in range(work.lines):
-        line = work.line[r]
+    for line in work.line[: work.lines]:
         line.e0, line.rate0, line.force0 = line.e, line.rate, line.force
         low, high = line.low1, line.high1
         line.low0, line.high0 = low, high
@@ -161,8 +156,7 @@ def weighted_margin(margin, weight):
 @inner
 def set_line_weights(work):
     """Set the scales of the line margins for a search that ends where they were last evaluated."""
-    for r in range(work.lines):
-        line = work.line[r]
+    for line in work.line[: work.lines]:
         line.low_weight = event_weight(line.low1 - line.low)
         line.high_weight = event_weight(line.high1 - line.high)
         line.joint_weight = event_weight(line.joint1 - line.joint) if line.interacts != 0 else 0.0
@@ -172,8 +166,7 @@ def set_line_weights(work):
 def least_weighted_line(work, at_start):
     """Least scaled margin of the lines, as last evaluated or at the start of the step."""
     least = math.inf
-    for r in range(work.lines):
-        line = work.line[r]
+    for line in work.line[: work.lines]:
         low, high, joint = line.low1, line.high1, line.joint1
         if at_start:
             low, high, joint = line.low0, line.high0, line.joint0
@@ -195,8 +188,7 @@ def first_crossing_candidate(work, sin, cos, moves, x, z, vx, vz, omega):
     """
     first = 1.0
     push = push_rate = used = 0.0
-    for r in range(work.lines):
-        line = work.line[r]
+    for line in work.line[: work.lines]:
         if line.inactive != 0:
             continue
         e, rate, _, _, _ = place_of(line, sin, cos, moves, x, z, vx, vz, omega)
@@ -251,8 +243,7 @@ def _reaches_peak(line, device):
 @inner
 def reaches_peak(work, devices):
     """Whether the force of a line may have exceeded its peak inside the step."""
-    for r in range(work.lines):
-        line = work.line[r]
+    for line in work.line[: work.lines]:
         if line.state != SLACK and _reaches_peak(line, devices[line.element]):
             return True
     return False
@@ -287,6 +278,5 @@ def record_forces(forces, work, s):
     """Write the forces at a sample into the force history, if it is kept; failed devices stay at zero."""
     if forces.shape[0] == 0:
         return
-    for r in range(work.lines):
-        line = work.line[r]
+    for line in work.line[: work.lines]:
         forces[s.k, line.element, line.tangent] = line.force

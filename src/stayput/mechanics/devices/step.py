@@ -16,8 +16,6 @@ and acceleration. After each step the state is projected back onto the constrain
 corner stays where it was, a slipping one on its plane.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -14,8 +14,6 @@ p·u = −s p_n ≤ 0, so that even impulses that have not converged make no ene
 contacts change together: their order does not matter. Dampers take part with D, half the damping of a step.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner
@@ -123,8 +121,7 @@ def _slope(contacts, count, part, slope, curvature):
     Those without contacts are given: slope at the beginning, curvature all along.
     """
     slope, total = slope + part * curvature, curvature
-    for k in range(count):
-        c = contacts[k]
+    for c in contacts[:count]:
         pn, ps, pt, nn, ns, nt, ss, st, tt = _impulse_at(c, part)
         x, y, z = c.en, c.es, c.et
         slope -= pn * x + ps * y + pt * z
@@ -136,8 +133,7 @@ def _slope(contacts, count, part, slope, curvature):
 def _line_search(contacts, count, slope, curvature):
     """Return about where along the direction φ is least: the whole way, or a root of its slope."""
     first = slope
-    for k in range(count):
-        c = contacts[k]
+    for c in contacts[:count]:
         first -= c.dn * c.en + c.ds * c.es + c.dt * c.et
     there, growth = _slope(contacts, count, 1.0, slope, curvature)
     enough = SLOPE * abs(first)
@@ -189,8 +185,7 @@ def _minimize(contacts, count, held, system, within, work):
         for b in range(starts.shape[0]):
             for i in range(6):
                 gained[b, i] += part * vector[b, i]
-        for k in range(count):
-            c = contacts[k]
+        for c in contacts[:count]:
             c.un, c.us, c.ut = c.un + part * c.en, c.us + part * c.es, c.ut + part * c.et
 
 
@@ -246,8 +241,7 @@ def find_impulses(contacts, count, held, bodies, poses, system, accuracy, enough
             contacts[k].rho = penalty / (contacts[k].wnn + contacts[k].stiff)
         _minimize(contacts, count, held, system, max(0.1 * accuracy, min(0.01 * residual, 1e-5)), work)
         residual = product = square = 0.0
-        for k in range(count):
-            c = contacts[k]
+        for c in contacts[:count]:
             c.ln, c.ls, c.lt = c.dn, c.ds, c.dt
             residual = max(residual, _residual(c))
             change = c.mu * math.sqrt(c.us * c.us + c.ut * c.ut) - c.shift
@@ -257,15 +251,13 @@ def find_impulses(contacts, count, held, bodies, poses, system, accuracy, enough
         stalled = stalled + 1 if residual > 0.5 * least else 0
         if residual < least:
             least = residual
-            for k in range(count):
-                c = contacts[k]
+            for c in contacts[:count]:
                 c.pn, c.ps, c.pt = c.ln, c.ls, c.lt
         if residual <= accuracy or (stalled >= MOST_STALLED and least <= enough):
             break
         if number > 1 and square > 0.0:
             relaxation = min(MOST_RELAXATION, max(LEAST_RELAXATION, -relaxation * product / square))
-        for k in range(count):
-            c = contacts[k]
+        for c in contacts[:count]:
             c.shift = max(0.0, c.shift + relaxation * c.change)
         penalty = min(LARGEST_PENALTY, PENALTY_GROWTH * penalty)
     for d in range(springs.shape[0]):

@@ -1,7 +1,5 @@
 """Which contacts are closed in a step, how far all others are apart, and when they meet."""
 
-from __future__ import annotations
-
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import bend, in_body, place_of, sag
 from stayput.mechanics.space.contact import lever_a, lever_b, velocity_at
@@ -62,8 +60,7 @@ def keep(contacts, count, kept, marks):
     for k in range(kept.shape[0]):
         kept[k, 0] = kept[k, 1] = kept[k, 2] = 0.0
         kept[k, 3] = OPEN
-    for k in range(count):
-        c = contacts[k]
+    for c in contacts[:count]:
         part = 0.0 if marks[c.a] else 1.0
         kept[c.key, 0], kept[c.key, 1], kept[c.key, 2] = part * c.pn, part * c.ps, part * c.pt
         kept[c.key, 3], kept[c.key, 4] = float(c.stuck), c.when

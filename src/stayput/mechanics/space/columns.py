@@ -4,8 +4,6 @@ A body's own axes are its principal axes through its centre of gravity G. Places
 in the room's axes, which move with the floor: x along the depth, y across, z up.
 """
 
-from __future__ import annotations
-
 from stayput.mechanics.columns import floats, integers, record
 from stayput.mechanics.devices.columns import ELEMENT
 

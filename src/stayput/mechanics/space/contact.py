@@ -1,7 +1,5 @@
 """A closed contact: its frame and levers, how fast it slips, and an impulse at it."""
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline

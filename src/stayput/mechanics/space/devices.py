@@ -14,8 +14,6 @@ before and after the impulses of the step. Dampers are part of Newton's method f
 contacts; what it leaves, as where a force reaches its strength, is found again and again with these.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner

@@ -168,8 +168,7 @@ def _move_all_out(world, poses, scratch, h):
     for b in range(bodies.shape[0]):
         body, s = bodies[b], poses[b]
         bent = sag(body, s, h)
-        for j in range(planes.shape[0]):
-            plane = planes[j]
+        for plane in planes:
             for i in range(body.first_point, body.first_point + body.points):
                 if may_touch(points[i], plane):
                     _move_out(body, s, lever_of_point(s, points[i]), plane, bent)

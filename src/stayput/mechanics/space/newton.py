@@ -14,8 +14,6 @@ A damper asks for the same, D being half the step times its damping matrix: with
 force corrected after them, the two would take turns, and a contact might slip by a force that is not there.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner

@@ -5,8 +5,6 @@ each (the separating axis theorem). Where a face separates them most, the face o
 it most is cut to its outline, and what is left of its corners touches; else the two edges touch in one point.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner

@@ -1,7 +1,5 @@
 """Which points of bodies touch which planes of the room, and how far away the others are."""
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner

@@ -1,7 +1,5 @@
 """Vectors and quaternions as tuples of floats, which compiled functions keep in registers."""
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline
