@@ -10,7 +10,7 @@ import numpy as np
 
 from stayput.measures.element import failed, utilisation
 from stayput.mechanics import columns as col
-from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
+from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT, record
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -235,14 +235,11 @@ QUANTITIES = (
 )
 """The columns of results."""
 
-CASE_RESULT = np.dtype(
-    [
-        *((name, RESULT[name]) for name in RESULT.names or ()),
-        ("device_failures", "i4"),
-        ("device_failure_time", "f8"),  # of the first [s], NaN where none fails
-        ("device_utilisation", "f8"),
-    ],
-    align=True,
+CASE_RESULT = record(
+    *((name, RESULT[name]) for name in RESULT.names or ()),
+    ("device_failures", "i4"),
+    ("device_failure_time", "f8"),  # of the first [s], NaN where none fails
+    ("device_utilisation", "f8"),
 )
 """Result of one case: the fields of `mechanics.columns.RESULT`, and a summary of its devices."""
 

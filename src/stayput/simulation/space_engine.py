@@ -110,13 +110,9 @@ def refuse_overlaps(planes: NDArray[np.void], gaps: Gaps, names: Sequence[str | 
                     "simulation.begins_inside", "pieces", body=names[number], surface=surface, depth=-least
                 )
     for second, first in np.argwhere(np.tril(gaps.bodies < -DEEPEST)).tolist():
-        raise InputError(
-            "simulation.begin_in_each_other",
-            "pieces",
-            first=names[first],
-            second=names[second],
-            depth=-float(gaps.bodies[second, first]),
-        )
+        pair: dict[str, Any] = {"first": names[first], "second": names[second]}
+        depth = -float(gaps.bodies[second, first])
+        raise InputError("simulation.begin_in_each_other", "pieces", **pair, depth=depth)
 
 
 SMOOTH, SMOOTH_REFINED = 0.3, 3.0
