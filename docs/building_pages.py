@@ -9,7 +9,7 @@ import validation_run
 
 import stayput as sp
 import workload
-from stayput.building import STRUCTURES, Building
+from stayput.building.building import STRUCTURES, Building
 from stayput.motion.spectrum import PERIODS, response_spectrum
 from stayput.report.building import plot_building
 from stayput.report.figures import FONT, label_axes, new_figure, plain_log, saved, style

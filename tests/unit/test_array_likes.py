@@ -11,7 +11,7 @@ import pytest
 import xarray as xr
 
 import stayput as sp
-from stayput.fragility import PGA
+from stayput.fragility.intensity_measures import PGA
 
 SAMPLES = np.sin(0.1 * np.arange(200)).astype(np.float32).astype(np.float64)
 BODY, ROOM = sp.Body(0.3, 1.8, 90.0), sp.Room()

@@ -9,7 +9,8 @@ import pytest
 from typer.testing import CliRunner
 
 import stayput as sp
-from stayput.building import STRUCTURES, Building, Isolation, ShearModel
+from stayput.building.building import STRUCTURES, Building, Isolation
+from stayput.building.model import ShearModel
 from stayput.building.modes import ai_distribution, spectral_factor, storey_stiffnesses, weight_above
 from stayput.cli import app
 from stayput.motion.integrals import peak_velocity

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from stayput import InputError
-from stayput.motion import Motion, near_fault, sine
 from stayput.motion.intensity import (
     CLASSES,
     Intensities,
@@ -18,7 +17,9 @@ from stayput.motion.intensity import (
     mercalli,
     published_intensity,
 )
+from stayput.motion.record import Motion
 from stayput.motion.response import fourier_amplitude, konno_ohmachi, mean_period
+from stayput.motion.synthetic import near_fault, sine
 from stayput.scenario.shaking import ShakingTable
 
 

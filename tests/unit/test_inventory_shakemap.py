@@ -14,7 +14,7 @@ import pytest
 from inventories import city, rows_of_results, table
 
 import stayput as sp
-from stayput.fragility import PGA, PGV, spectral_acceleration
+from stayput.fragility.intensity_measures import PGA, PGV, spectral_acceleration
 from stayput.inventory import assess
 from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.shakemap import GroundLevel, unwrapped

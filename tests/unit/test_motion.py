@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from stayput.errors import InputError
-from stayput.motion import Motion
+from stayput.motion.record import Motion
 
 NOISE = np.random.default_rng(7).normal(size=200)
 
@@ -152,7 +152,7 @@ def test_representation_is_one_short_line():
 
 def test_import_is_light():
     code = (
-        "import sys, stayput.motion as m; m.near_fault(); "
+        "import sys, stayput.motion.synthetic as m; m.near_fault(); "
         "print([n for n in ('obspy', 'numba', 'scipy', 'matplotlib', 'xarray') if n in sys.modules])"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 from stayput.errors import InputError
-from stayput.motion import Motion, read_motion
 from stayput.motion.channels import Channel, is_direction, is_vertical, motion_fields, plain_label
+from stayput.motion.readers import read_motion
+from stayput.motion.record import Motion
 from stayput.motion.units import ACCELERATION_UNITS, unit_factor
 
 WAVE = np.sin(np.arange(40) * 0.3)

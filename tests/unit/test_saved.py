@@ -14,7 +14,7 @@ import pytest
 import xarray as xr
 
 import stayput as sp
-from stayput.fragility import PGA
+from stayput.fragility.intensity_measures import PGA
 from stayput.measures import Belt, LBracket
 
 if TYPE_CHECKING:

@@ -17,9 +17,17 @@ from typer.testing import CliRunner
 import stayput as sp
 from stayput.app.running import shaking_reply
 from stayput.cli import app
-from stayput.fragility import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV, spectral_acceleration
 from stayput.fragility.exports import in_openquake
-from stayput.fragility.intensity_measures import FLOOR_JMA
+from stayput.fragility.intensity_measures import (
+    FLOOR_JMA,
+    JMA_INTENSITY,
+    MMI,
+    PFA,
+    PFV,
+    PGA,
+    PGV,
+    spectral_acceleration,
+)
 from stayput.motion.intensity import Intensities
 from stayput.report.plot import plot_run
 from stayput.report.room.data import room_data

@@ -6,10 +6,10 @@ import pytest
 from typer.testing import CliRunner
 
 import stayput as sp
-from stayput.building import STRUCTURES
+from stayput.building.building import STRUCTURES
 from stayput.catalogue import names
 from stayput.cli import app
-from stayput.contents import CONTENTS, Contents
+from stayput.contents.contents import CONTENTS, Contents
 from stayput.inventory.scenarios import stated_building
 from stayput.model.body import FURNITURE
 from stayput.model.room import SURFACES

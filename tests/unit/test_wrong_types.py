@@ -11,7 +11,7 @@ import pytest
 
 import stayput as sp
 from stayput import estimates
-from stayput.fragility import PGA
+from stayput.fragility.intensity_measures import PGA
 from stayput.standards.equipment import equipment_loads, position_of
 
 if TYPE_CHECKING:

@@ -8,7 +8,8 @@ from scipy.linalg import eigh
 from scipy.signal import StateSpace, lsim
 
 import stayput as sp
-from stayput.building import Building, ShearModel
+from stayput.building.building import Building
+from stayput.building.model import ShearModel
 from stayput.building.modes import strain_energy_damping
 
 RNG = np.random.default_rng(4)

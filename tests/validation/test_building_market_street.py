@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from real_records import MOTIONS, recorded
-from stayput.building import Building
-from stayput.motion import read_motion
+from stayput.building.building import Building
+from stayput.motion.readers import read_motion
 from stayput.motion.spectrum import PERIODS, response_spectrum
 from stayput.report.building import plot_building
 

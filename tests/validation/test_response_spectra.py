@@ -12,8 +12,10 @@ import pytest
 from scipy.signal import StateSpace, lsim
 
 from real_records import MOTIONS, recorded
-from stayput.motion import Motion, near_fault, read_motion, sine
+from stayput.motion.readers import read_motion
+from stayput.motion.record import Motion
 from stayput.motion.spectrum import PERIODS, response_spectrum, spectra
+from stayput.motion.synthetic import near_fault, sine
 
 RECORDS = ("jma_kobe_1995_ns.AT2", "elcentro_1940_180.AT2", "jma_uki_2016.csv", "nishi_akashi_1995_090.AT2")
 

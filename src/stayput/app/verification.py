@@ -13,8 +13,8 @@ from stayput.app.refusals import problem, too_many_runs
 from stayput.app.replies import Words
 from stayput.app.running import own_measures
 from stayput.app.scenes import motions_of
-from stayput.fragility import JMA_INTENSITY
 from stayput.fragility.curve import METHOD, CurveState
+from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures import MEASURES, hold
 from stayput.report.room.data import room_data
 from stayput.report.verdict.data import everyday_data, verdict_data
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
     from stayput.app.jobs import AnyVerdict, Job
     from stayput.app.limits import Limits
-    from stayput.fragility import FragilityCurve
+    from stayput.fragility.curve import FragilityCurve
     from stayput.measures import Measure
     from stayput.scenario.tables import EverydayTable
     from stayput.verification import Verdict

@@ -32,8 +32,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.building.response import FloorResponse
-    from stayput.motion import Motion
     from stayput.motion.intensity import DisplacementPeak
+    from stayput.motion.record import Motion
     from stayput.motion.spectrum import ResponseSpectrum
 
 app = typer.Typer(cls=HelpfulGroup, help="cli_help.motion", no_args_is_help=True, rich_markup_mode=None)

@@ -21,7 +21,7 @@ from stayput.cli.messages import note
 from stayput.errors import InputError, unknown
 
 if TYPE_CHECKING:
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.motion.suites.suite import Suite
     from stayput.motion.suites.target import TargetSpectrum
 

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
     from rich.console import Console
 
-    from stayput.fragility import Probability
+    from stayput.fragility.probabilities import Probability
     from stayput.rooms.verdict import ChangeVerdict
     from stayput.verification import Verdict
 

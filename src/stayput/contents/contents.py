@@ -134,7 +134,7 @@ class Contents:
 
     Examples
     --------
-    >>> from stayput.contents import Contents
+    >>> from stayput.contents.contents import Contents
     >>> Contents("dishes", shelves=4, doors="hinged, latched").of_kind.static_friction
     0.25
     """

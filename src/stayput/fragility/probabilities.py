@@ -60,7 +60,7 @@ class Probability:
     Examples
     --------
     >>> import numpy as np
-    >>> from stayput.fragility import probability
+    >>> from stayput.fragility.probabilities import probability
     >>> apart = probability(np.arange(40).reshape(4, 10) % 4 == 0)  # 10 of 40 fell, spread over 4 motions
     >>> alike = probability(np.arange(40).reshape(4, 10) < 10)  # 10 of 40, all under one of them
     >>> apart.text, alike.text

@@ -55,7 +55,7 @@ class Trials:
     --------
     >>> import numpy as np
     >>> import stayput as sp
-    >>> from stayput.fragility import PGA
+    >>> from stayput.fragility.intensity_measures import PGA
     >>> fell = np.zeros((2, 3, 10), dtype=bool)  # at 2 levels, under 3 motions, 10 samples each
     >>> fell[1, 0], fell[1, 1, :4] = True, True
     >>> trials = sp.Trials.from_runs(PGA, [3.0, 6.0], fell)

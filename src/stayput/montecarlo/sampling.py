@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
-from stayput.fragility import Probability, samples_needed
+from stayput.fragility.probabilities import Probability, samples_needed
 from stayput.measures import Measure, element_rows, hold
 from stayput.measures.wall import REACH
 from stayput.mechanics.runner import no_elements

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.motion.response import ResponseSpectrum
     from stayput.motion.suites.suite import Suite
     from stayput.motion.suites.target import TargetSpectrum
