@@ -167,7 +167,7 @@ def test_dataset_has_units():
         (lambda: Building(2.5), "whole number"),
         (lambda: Building(period=-1.0), "Building period is -1 s"),
         (lambda: Building(damping=math.nan), "finite"),
-        (lambda: Building(post_yield=0.1, nonlinear=False), "nonlinear"),
+        (lambda: Building(post_yield=0.1, nonlinear=False), "post_yield is given for a linear building"),
         (lambda: Building(structure="base-isolated", period=5.0), "must be below"),
         (lambda: Isolation(damping=0.5, post_yield=0.3), "must be below"),
         (lambda: ShearModel([1.0], [1.0, 2.0], 0.05), "stiffnesses has 2 values; it must have 1"),

@@ -19,8 +19,8 @@ NOISE = np.random.default_rng(7).normal(size=200)
     [
         ([0.0, math.nan], "finite"),
         ([0.0, math.inf, 1.0], "sample 1"),
-        ([1.0], "2 to"),
-        ([], "2 to"),
+        ([1.0], "between 2 and"),
+        ([], "between 2 and"),
         ([[0.0, 1.0]], "shape"),
         (["a", "b"], "real numbers"),
         ([1j, 0j], "real numbers"),
@@ -44,7 +44,7 @@ def test_time_steps_that_are_refused(dt):
 
 @pytest.mark.parametrize("other", ["y", "z"])
 def test_components_are_as_long_as_x(other):
-    with pytest.raises(InputError, match=f"{other} has 3 samples and x has 2"):
+    with pytest.raises(InputError, match=f"{other} has 3 values; it must have 2"):
         Motion(0.01, [0.0, 1.0], **{other: [0.0, 1.0, 0.0]})
 
 

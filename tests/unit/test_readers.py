@@ -174,7 +174,7 @@ def test_component_chooses_x_and_the_rest_follows(component, sizes):
 
 @pytest.mark.parametrize("component", ["45", "channel 4", "channel 0", "SN", "180", "", "NS2"])
 def test_no_such_component(component):
-    with pytest.raises(InputError, match=r"no channel of the file; it must be one of EW \(channel 2\), NS"):
+    with pytest.raises(InputError, match=r"The component is .*; it must be one of EW \(channel 2\), NS"):
         motion_of_channels(THREE, component, "test")
 
 

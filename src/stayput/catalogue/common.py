@@ -56,6 +56,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "list": ("a list", "リスト"),
     "numbers_in": ("numbers", "数値"),
     "items": ("items", "項目"),
+    "so_many_values": (
+        "{name} has {count} values; it must have {wanted}.",
+        "{name}の値が{count}個になっています。{wanted}個にしてください。",
+    ),
     "twice": ("{name} is given twice; give it once.", "{name}が2回あります。1回にしてください。"),
     "empty": ("{name} is empty; give one or more.", "{name}が空です。1つ以上指定してください。"),
     "of_type": ("of type {wanted}", "{wanted}型の値"),

@@ -63,6 +63,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Quick estimates
     "tie_height": ("Height of the tie", "取付け高さ"),
     "peak_acceleration": ("Peak acceleration", "最大加速度"),
+    "vertical_peak": ("Peak vertical acceleration", "鉛直方向の最大加速度"),
     "peak_velocity": ("Peak velocity", "最大速度"),
     "equivalent_frequency": ("Equivalent frequency", "等価振動数"),
     "file_to_write": ("The file to write", "書き込むファイル"),
@@ -72,15 +73,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     "no_folder": ("in a folder that exists", "存在するフォルダーの中のファイル"),
     "file_is_folder": ("a file, and no folder", "フォルダーではなくファイル"),
     "file_is_input": ("another file than {source}, which is read", "読み込む{source}とは別のファイル"),
-    "no_ffmpeg": (
-        (
-            "The file to write is {file}; an MP4 needs the program ffmpeg, which is not installed, "
-            "so install it or choose .gif or .html."
-        ),
-        (
-            "書き込むファイルは{file}ですが、MP4に必要なffmpegがインストールされていません。"
-            "ffmpegをインストールするか、.gifか.htmlを選んでください。"
-        ),
+    "without_ffmpeg": (
+        "one in .gif or .html: an MP4 needs ffmpeg, which is not installed",
+        "MP4に必要なffmpegがインストールされていないため、.gifか.htmlのファイル",
     ),
     # Optional libraries
     "not_installed": (

@@ -18,6 +18,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "name_count": ("Number of motions", "地震動の数"),
     "family": ("The family", "地震の種類"),
     "the_component": ("The component", "成分"),
+    "location": ("The location", "ロケーション"),
     "the_motion": ("The motion", "地震動"),
     # The samples of a motion.
     "samples_not_a_row": (
@@ -28,10 +29,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "no_array": ("is not an array", "が配列ではありません"),
     "of_kind": ("holds {kind} values", "が{kind}型の値です"),
     "of_shape": ("has shape {shape}", "の形状が{shape}です"),
-    "samples_count": (
-        "Motion {component} has {count} samples; it must have 2 to {most}.",
-        "地震動の{component}成分のデータが{count}個です。2～{most}個にしてください。",
-    ),
+    "samples_count": ("The number of samples of {component}", "{component}成分のデータの数"),
     "samples_not_finite": (
         "Motion {component} is {value} at sample {index}; it must be finite.",
         "地震動の{component}成分に数値でない値が含まれています（データ番号{index}が{value}）。",
@@ -39,10 +37,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "samples_too_large": (
         "Motion {component} at sample {index} is {value:g} m/s²; it must be from -{most:g} to {most:g} m/s².",
         "加速度が大きすぎます（{component}成分の{index}番で{value:g} m/s²）。±{most:g} m/s²以内の値にし、単位を確かめてください。",
-    ),
-    "components_differ": (
-        "Motion {component} has {count} samples and x has {x_count}; they must be as many.",
-        "地震動の{component}成分のデータは{count}個、x成分は{x_count}個です。同じ数にしてください。",
     ),
     # What is done with a motion.
     "rotation_without_y": (
@@ -82,10 +76,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The motion is a still floor; it cannot be scaled to an intensity.",
         "揺れのない記録なので、震度に合わせることができません。",
     ),
-    "periods_shape": (
-        "The periods have shape {shape}; they must be one row, each longer than the one before it.",
-        "周期の配列の形状が{shape}です。1個以上の周期を短い順に1列に並べて指定してください。",
-    ),
+    "rising_row": ("one row, each longer than the one before", "1個以上の周期を短い順に並べた1列"),
     # Computed motions.
     "coarse_step": (
         "dt is {step:g} s; at most {most:g} s, a {fewest}th of the period or of the pulse, is allowed.",
@@ -104,10 +95,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "motion_dt_differs": (
         "The dt of {component} is {dt:g} s; it must be that of x, {x_dt:g} s.",
         "{component}成分の時間刻みが{dt:g}秒です。x成分と同じ{x_dt:g}秒でなければなりません。",
-    ),
-    "no_such_channel": (
-        "The component {component!r} is no channel of the file; it must be one of {channels}.",
-        "「{component}」というチャンネルはファイルにありません。次から選んで入力してください：「{channels}」",
     ),
     "ambiguous_channel": (
         "The component {component!r} is more than one channel of the file; it must be one of {channels}.",
@@ -254,10 +241,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The station has {count} sensors, with the locations {known}; {option} must name one of them.",
         "観測点に地震計が{count}つあります（ロケーション：{known}）。使うものを{option}で指定してください。",
     ),
-    "no_such_location": (
-        "The location is {location!r}; it must be one of those of the station: {known}.",
-        "ロケーション「{location}」はこの観測点にありません。次から選んでください：{known}",
-    ),
     "trace_gaps": (
         "The trace of {channel!r} has gaps or is in several parts; merge it to one that is complete.",
         "「{channel}」のトレースに欠測があるか、複数に分かれています。欠測のない1つのトレースに結合してください。",
@@ -278,10 +261,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The suite has 1 motion; a standard deviation needs at least 2.",
         "地震動が1つしかありません。標準偏差を求めるには2つ以上必要です。",
     ),
-    "suite_no_folder": (
-        "The suite {path!r} is no folder; it must be a folder or a list of files.",
-        "「{path}」はフォルダではありません。地震記録のフォルダかファイルの一覧を指定してください。",
-    ),
+    "folder_of_records": ("a folder, or a list of files", "地震記録のフォルダかファイルの一覧"),
     "suite_left_out": (
         "Of the folder {name!r} these files are left out: {files}.",
         "フォルダ「{name}」の次のファイルは使いません：{files}。",
@@ -299,10 +279,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "target_lengths": (
         "The target has {periods} periods and {values} values of Sa; it must have as many, at least 2.",
         "目標スペクトルの周期が{periods}個、Saが{values}個です。同じ数で、2個以上にしてください。",
-    ),
-    "band_not_two": (
-        "The band is {value}; it must be two periods (shortest, longest) [s].",
-        "周期の範囲が{value}になっています。2つの周期（最短、最長）[s] を指定してください。",
     ),
 }
 """Texts by their keys: English, Japanese."""

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, kinetic_above_static, list_of, word_of
 from stayput.measures.place import with_mass
 from stayput.model.body import MASS_RANGE, SIZE_RANGE
@@ -187,31 +188,25 @@ class Contents:
             raise InputError("common.empty", "loads")
         object.__setattr__(self, "loads", loads)
         if self.shelves not in (None, len(loads)):
-            raise InputError("contents.loads_and_shelves", "shelves", loads=len(loads), shelves=self.shelves)
+            raise InputError("common.so_many_values", "loads", count=len(loads), wanted=self.shelves)
         if self.mass_share is not None:
-            raise InputError(
-                "contents.loads_and_share", "mass_share", loads=sum(loads), share=self.mass_share
-            )
+            raise InputError("common.left_out", "mass_share", where=phrase("contents.beside_loads"))
 
     def _check_fronts(self) -> None:
         """Refuse doors with drawers, and what goes with neither of those given."""
         if self.drawers != "none" and self.doors != "none":
-            raise InputError("contents.doors_and_drawers", "drawers", doors=self.doors, drawers=self.drawers)
+            raise InputError("common.left_out", "drawers", where=phrase("contents.behind_doors"))
         if self.catch is not None and not {self.doors, self.drawers} & CATCHES.keys():
-            raise InputError(
-                "contents.no_catch", "catch", catch=self.catch, doors=self.doors, drawers=self.drawers
-            )
+            raise InputError("common.left_out", "catch", where=phrase("contents.without_catch"))
         needs_doors = {"door_mass": DOORS[1:], "leaf": ("sliding",)}
         for name in ("door_mass", "leaf", "lip", "setback", "width", "height"):
-            about, value = parameter_of(Contents, name), getattr(self, name)
-            values: dict[str, Any] = {"name": about.label, "value": value, "unit": about.unit}
-            if value == about.default:
+            if getattr(self, name) == parameter_of(Contents, name).default:
                 continue
             if self.doors not in (kinds := needs_doors.get(name, DOORS)):
-                needed = ", ".join(map(repr, kinds))
-                raise InputError("contents.without_doors", name, **values, doors=self.doors, needed=needed)
+                where = phrase("contents.without_doors", needed=", ".join(map(repr, kinds)))
+                raise InputError("common.left_out", name, where=where)
             if name not in needs_doors and self.drawers != "none":
-                raise InputError("contents.in_drawers", name, **values, drawers=self.drawers)
+                raise InputError("common.left_out", name, where=phrase("contents.in_drawers"))
 
     @property
     def of_kind(self) -> ContentsKind:

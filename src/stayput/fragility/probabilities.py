@@ -266,7 +266,7 @@ def samples_needed(current: Probability, half_width: float) -> int:
     """
     target = within("fragility.half_width", half_width, 1e-3, 0.5)
     if current.runs == 0:
-        raise InputError("fragility.plan_without_runs")
+        raise InputError("fragility.no_runs")
     motions = current.motions
     m = current.runs / motions
     runs = independent_runs(current.estimate, target, quantile(motions, current.runs))

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, too_many, warn
+from stayput.errors import InputError, InputWarning, too_many, warn, within
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.integrals import peak_velocity, velocity
 
@@ -85,8 +85,7 @@ def checked_samples(name: str, values: ArrayLike) -> NDArray[np.float64]:
         raise refused("of_kind", kind=raw.dtype)
     if raw.ndim != 1:
         raise refused("of_shape", shape=str(raw.shape))
-    if not 2 <= raw.size <= MOST_SAMPLES:
-        raise InputError("motion.samples_count", name, component=name, count=raw.size, most=MOST_SAMPLES)
+    within(phrase("motion.samples_count", component=name), raw.size, 2, MOST_SAMPLES, field=name)
     array = np.array(raw, dtype=np.float64, order="C")
     bad = np.flatnonzero(~np.isfinite(array))
     if bad.size:

@@ -130,8 +130,7 @@ class Motion:
                 object.__setattr__(self, name, checked_samples(name, values))
         for name, values in self.components.items():
             if len(values) != len(self.x):
-                about: dict[str, Any] = {"component": name, "count": len(values), "x_count": len(self.x)}
-                raise InputError("motion.components_differ", name, **about)
+                raise InputError("common.so_many_values", name, count=len(values), wanted=len(self.x))
 
     def __repr__(self) -> str:
         peaks = ", ".join(f"{name} {np.abs(a).max():.4g}" for name, a in self.components.items())

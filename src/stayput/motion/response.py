@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from stayput.errors import InputError, numbers, within
+from stayput.catalogue import phrase
+from stayput.errors import not_allowed, numbers, within
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
@@ -127,7 +128,8 @@ def checked_periods(periods: ArrayLike) -> NDArray[np.float64]:
     for period in row.flat:
         within("motion.name_period", period, *PERIOD_RANGE, "s", "periods")
     if row.ndim != 1 or row.size == 0 or not np.all(np.diff(row) > 0.0):
-        raise InputError("motion.periods_shape", "periods", shape=str(row.shape))
+        name = phrase("common.shape_of", name="periods")
+        raise not_allowed(name, str(row.shape), "motion.rising_row", "periods")
     return row
 
 

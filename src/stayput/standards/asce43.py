@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.errors import InputError, within
+from stayput.catalogue import phrase
+from stayput.errors import not_allowed, within
 from stayput.model.parameters import GRAVITY, STANDARD_GRAVITY
 from stayput.motion.record import Motion
 from stayput.motion.spectrum import response_spectrum
@@ -99,7 +100,8 @@ def asce43_sliding(motion: Motion, friction: float, gravity: float = STANDARD_GR
     vertical = 0.0 if motion.z is None else float(np.abs(motion.z).max())
     most = gravity / VERTICAL_SHARE
     if vertical >= most:
-        raise InputError("standards.lifted", "motion", vertical=vertical, most=most)
+        allowed = phrase("common.under", share=f"{most:.3g} m/s²")
+        raise not_allowed("model.vertical_peak", f"{vertical:.3g} m/s²", allowed, "motion")
     effective = mu * (1.0 - VERTICAL_SHARE * vertical / gravity)
     c_s = 2.0 * effective * gravity
     frequency = _first_crossing(motion, c_s)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast, overload
 
 import numpy as np
 
-from stayput.errors import InputError, excerpt, list_of, whole_within
+from stayput.errors import InputError, excerpt, list_of, not_allowed, whole_within
 from stayput.motion.readers import read_shaking
 from stayput.motion.record import Motion
 from stayput.motion.spectrum import DAMPING, PERIODS, spectra
@@ -361,7 +361,7 @@ def read_suite(
     if isinstance(source, str | os.PathLike):
         folder = Path(source)
         if not folder.is_dir():
-            raise InputError("motion.suite_no_folder", path=str(folder))
+            raise not_allowed("source", repr(str(folder)), "motion.folder_of_records", "source")
         title = folder.resolve().name
         motions = records_in(folder, title, component, unit, **options)
     else:
