@@ -43,8 +43,7 @@ from .model.room import Wall as Wall
 from .model.state import State as State
 from .motion.readers import read_motion as read_motion
 from .motion.record import Motion as Motion
-from .motion.spectrum import ResponseSpectrum as ResponseSpectrum
-from .motion.spectrum import response_spectrum as response_spectrum
+from .motion.response import ResponseSpectrum as ResponseSpectrum
 from .motion.suites.suite import Suite as Suite
 from .motion.suites.suite import read_suite as read_suite
 from .motion.suites.synthesis import synthetic_suite as synthetic_suite

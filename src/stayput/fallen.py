@@ -210,7 +210,7 @@ def intensity_from_fallen(
         synthetic_suite("crustal", 40, number) if motions is None else instance_of("motions", motions, Suite)
     )
     for motion in suite:
-        of_the_ground(motion, "fallen")
+        of_the_ground(motion, "here")
     drawn = draws(len(suite), count, number)
     cases = [rows_of(kind.body, kind.room, (), drawn, STANDARD_GRAVITY) for kind in kinds]
     hazard = Hazard(suite, vertical=vertical)

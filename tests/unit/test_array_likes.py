@@ -56,7 +56,6 @@ BARE = (SAMPLES, SAMPLES.tolist(), pd.Series(SAMPLES), xr.DataArray(SAMPLES))
         lambda bare: sp.simulate(BODY, ROOM, bare),
         lambda bare: sp.simulate(sp.Body.box(0.4, 0.4, 1.0, 20.0), ROOM, bare),
         lambda bare: sp.Case(BODY, ROOM, bare),
-        lambda bare: sp.response_spectrum(bare),
         lambda bare: sp.Building(3).respond(bare),
     ],
 )

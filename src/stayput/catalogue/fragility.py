@@ -25,10 +25,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "sa": ("spectral acceleration at {period:g} s", "周期{period:g}秒の加速度応答"),
     # counts and shapes
-    "not_bool": (
-        "The type of fallen is {dtype}; it must be bool, and missing runs go apart.",
-        "fallenの型が{dtype}になっています。bool型にしてください（打ち切った計算はmissingで指定します）。",
-    ),
+    "booleans": ("of type bool, with missing runs apart", "bool型（打ち切った計算はmissingで指定）"),
     "axes": ("of {dimensions} axes, none empty", "{dimensions}次元で、どの軸も1以上の長さ"),
     "either": ("{first} or {second}", "{first}または{second}"),
     "list_shapes": (

@@ -2,7 +2,6 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     # Parts of the labels of fields, and what other numbers are called
-    "load_width": ("load_width", "棚の荷物の奥行き（load_width）"),
     "static_friction": ("{surface} static friction", "{surface}の静止摩擦係数"),
     "kinetic_friction": ("{surface} kinetic friction", "{surface}の動摩擦係数"),
     "field_of": ("“{owner}” {name}", "「{owner}」の{name}"),

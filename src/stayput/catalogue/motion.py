@@ -21,14 +21,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "location": ("The location", "ロケーション"),
     "the_motion": ("The motion", "地震動"),
     # The samples of a motion.
-    "samples_not_a_row": (
-        "Motion {component} {kind}; it must be one row of real numbers without gaps [m/s²].",
-        "地震動の{component}成分{kind}。欠測のない実数（m/s²）を1列に並べて指定してください。",
+    "samples_of": ("Motion {component}", "地震動の{component}成分"),
+    "row_of_samples": (
+        "one row of real numbers without gaps [m/s²]",
+        "欠測のない実数（m/s²）を1列に並べたデータ",
     ),
-    "masked": ("has gaps (masked samples)", "に欠測（マスクされたデータ）があります"),
-    "no_array": ("is not an array", "が配列ではありません"),
-    "of_kind": ("holds {kind} values", "が{kind}型の値です"),
-    "of_shape": ("has shape {shape}", "の形状が{shape}です"),
     "samples_count": ("The number of samples of {component}", "{component}成分のデータの数"),
     "samples_not_finite": (
         "Motion {component} is {value} at sample {index}; it must be finite.",
@@ -63,10 +60,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "too_short_for_intensity": (
         "The motion lasts {duration:g} s; an intensity needs at least {least} s.",
         "記録が短すぎて震度を求められません（{duration:g}秒）。{least}秒以上必要です。",
-    ),
-    "unknown_intensity": (
-        "The intensity is {intensity!r}; it must be a number or one of {known}.",
-        "震度が「{intensity}」になっています。数値か、次のいずれかを指定してください：{known}",
     ),
     "still_component": (
         "The {component} component of {motion} is still; it has no Sa, and cannot meet a target.",
@@ -177,9 +170,9 @@ TEXTS: dict[str, tuple[str, str]] = {
             "地面の揺れの地震動を使ってください"
         ),
     ),
-    "ground_alone_spectrum": (
-        "a target spectrum is one of the ground, so give motions of the ground",
-        "目標スペクトルは地面の揺れのものです。地面の揺れを使ってください",
+    "ground_alone_here": (
+        "here motions of the ground alone may be given",
+        "ここで使えるのは地面の揺れだけです",
     ),
     "ground_alone_suite": (
         "others beside it are of the ground, so give motions of the ground alone, or of upper floors alone",
@@ -188,14 +181,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "ground_alone_building": (
         "a building stands on the ground, so give it no building, as the floor's own motion, or a motion of the ground",
         "建物に入力できるのは地面の揺れだけです。建物を指定せずに床の揺れとして使うか、地面の揺れを使ってください",
-    ),
-    "ground_alone_inventory": (
-        "an inventory takes motions of the ground alone",
-        "家具一覧の評価に使えるのは地面の揺れだけです",
-    ),
-    "ground_alone_fallen": (
-        "an intensity from what fell takes motions of the ground alone",
-        "転倒物からの震度の推定に使えるのは地面の揺れだけです",
     ),
     "ground_alone_measure": (
         "curves over PGA, PGV, Sa or MMI are of the ground, so take PFA, PFV or JMA, or a motion of the ground",

@@ -155,7 +155,7 @@ def checked_runs(
     """
     fell = np.asarray(fallen)
     if fell.dtype != np.bool_:
-        raise InputError("fragility.not_bool", "fallen", dtype=str(fell.dtype))
+        raise not_allowed("fallen", str(fell.dtype), "fragility.booleans", "fallen")
     if fell.ndim != dimensions or fell.size == 0:
         axes = phrase("fragility.axes", dimensions=dimensions)
         raise not_allowed(phrase("common.shape_of", name="fallen"), str(fell.shape), axes, "fallen")

@@ -80,7 +80,7 @@ class ScenarioFile:
         """The motions, which must be of the ground."""
         suite = self.scenario.ground()
         for motion in suite:
-            of_the_ground(motion, "inventory")
+            of_the_ground(motion, "here")
         return suite
 
     @cached_property

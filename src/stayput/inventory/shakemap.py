@@ -15,7 +15,7 @@ from stayput.fragility.intensity_measures import JMA_INTENSITY, PERIODS, PGA, PG
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.ground_shaking import MERCALLI_SCATTER
 from stayput.motion.intensity import mercalli_rise, pgv_of_mercalli
-from stayput.motion.spectrum import DAMPING
+from stayput.motion.response import DAMPING
 from stayput.motion.units import unit_factor
 
 if TYPE_CHECKING:

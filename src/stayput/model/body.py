@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING
 
-from stayput.errors import InputError, finite, instance_of, list_of, not_allowed, numbers, within
+from stayput.errors import InputError, finite, instance_of, list_of, not_allowed, numbers
 from stayput.model.parameters import (
     GRAVITY,
     MASS_RANGE,
@@ -309,14 +309,7 @@ class Body(Shapes, Brief):
         return g * math.tan(left + self.resting_tilt), g * math.tan(right - self.resting_tilt)
 
     @classmethod
-    def from_parts(
-        cls,
-        width: float,
-        height: float,
-        parts: Iterable[Part],
-        *,
-        base_heights: tuple[float, float] = (0.0, 0.0),
-    ) -> Body:
+    def from_parts(cls, width: float, height: float, parts: Iterable[Part]) -> Body:
         """Make a body from its parts: mass, centre of gravity and inertia follow (parallel axes).
 
         Parameters
@@ -325,8 +318,6 @@ class Body(Shapes, Brief):
             Outer section [m].
         parts : iterable of Part
             The carcass, the shelves and their loads.
-        base_heights : tuple of float
-            As for `Body`.
 
         Raises
         ------
@@ -343,18 +334,10 @@ class Body(Shapes, Brief):
         inertia = sum(
             p.mass * ((p.width**2 + p.height**2) / 12.0 + (p.x - x_g) ** 2 + (p.z - z_g) ** 2) for p in pieces
         )
-        return cls(width, height, mass, (x_g, z_g - height / 2), inertia, base_heights)
+        return cls(width, height, mass, (x_g, z_g - height / 2), inertia)
 
     @classmethod
-    def bookcase(
-        cls,
-        width: float,
-        height: float,
-        mass: float,
-        loads: Iterable[float],
-        *,
-        load_width: float | None = None,
-    ) -> Body:
+    def bookcase(cls, width: float, height: float, mass: float, loads: Iterable[float]) -> Body:
         """Make a bookcase: a uniform carcass and equally spaced shelves with a load on each.
 
         Parameters
@@ -365,18 +348,14 @@ class Body(Shapes, Brief):
             Mass of the empty carcass [kg], spread over the section.
         loads : iterable of float
             Load on each shelf from the lowest up [kg]; each fills its compartment.
-        load_width : float, optional
-            Depth of the load along the shaking [m]; default the full width.
         """
         shelves = list_of("loads", loads)
         _check_size(width, height)
         if not shelves:
             raise InputError("common.empty", "loads")
         clear = height / len(shelves)
-        depth = width if load_width is None else load_width
-        within("model.load_width", depth, 0.0, width, "m", "load_width")
         carcass = Part(mass, 0.0, height / 2, width, height)
-        books = (Part(load, 0.0, (i + 0.5) * clear, depth, clear) for i, load in enumerate(shelves))
+        books = (Part(load, 0.0, (i + 0.5) * clear, width, clear) for i, load in enumerate(shelves))
         return cls.from_parts(width, height, (carcass, *books))
 
 

@@ -245,7 +245,7 @@ class Motion:
     def spectrum(
         self, periods: ArrayLike = PERIODS, damping: float = DAMPING, component: str = "x"
     ) -> ResponseSpectrum:
-        """Return the response spectrum of a component; see `stayput.response_spectrum`."""
+        """Return the response spectrum of a component, by periods [s]; see `ResponseSpectrum`."""
         return spectrum_of_samples(self.component(component).x, self.dt, periods, damping)
 
     def plot(

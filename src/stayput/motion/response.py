@@ -35,6 +35,10 @@ SpectralResponse = Literal["sa", "sv", "sd", "psa", "psv", "sva"]
 class ResponseSpectrum:
     """Largest responses of damped oscillators on the floor, over the length of the motion.
 
+    The oscillators start at rest. The motion is linear between its samples and the responses are exact for it
+    (Nigam and Jennings 1969), with their peaks between samples; nothing is sought after the motion's end (see
+    `Motion.padded`).
+
     Parameters
     ----------
     periods : ndarray, shape (m,)
@@ -53,7 +57,7 @@ class ResponseSpectrum:
     Examples
     --------
     >>> import stayput as sp
-    >>> spectrum = sp.response_spectrum(sp.near_fault(), periods=[0.1, 0.5, 1.0])
+    >>> spectrum = sp.near_fault().spectrum(periods=[0.1, 0.5, 1.0])
     >>> spectrum.sa.round(1).tolist()
     [10.1, 17.1, 12.3]
     """

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, absent, unknown, warn
+from stayput.errors import InputError, InputWarning, absent, not_allowed, unknown, warn
 from stayput.files import LARGEST_RECORD
 from stayput.motion.channels import Channel, labels_phrase
 from stayput.motion.units import acceleration_unit, time_step, unit_factor
@@ -66,8 +66,8 @@ def channels_of_traces(
         if np.ma.is_masked(trace.data) or any(channel.label == code for channel in channels):
             raise InputError("motion.trace_gaps", channel=code)
         if (kind := np.asarray(trace.data).dtype).kind not in "biuf":  # miniSEED may hold a text
-            held = phrase("motion.of_kind", kind=kind.name)
-            raise InputError("motion.samples_not_a_row", component=code, kind=held)
+            called = phrase("motion.samples_of", component=code)
+            raise not_allowed(called, kind.name, "motion.row_of_samples")
         if values := other_instrument(trace):
             warn(InputWarning("motion.other_instrument", **values))
         late = float(stats.starttime - start)

@@ -16,7 +16,6 @@ from stayput.catalogue import phrase
 from stayput.errors import not_allowed, within
 from stayput.model.parameters import GRAVITY, STANDARD_GRAVITY
 from stayput.motion.record import Motion
-from stayput.motion.spectrum import response_spectrum
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -129,5 +128,5 @@ def _first_crossing(motion: Motion, level: float) -> float:
 def _vector_spectrum(motion: Motion, frequencies: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return √(Sa,x² + Sa,y²) at increasing frequencies [m/s²]."""
     horizontal = [name for name in ("x", "y") if name in motion.components]
-    rows = [response_spectrum(motion, 1.0 / frequencies[::-1], DAMPING, name).sa[::-1] for name in horizontal]
+    rows = [motion.spectrum(1.0 / frequencies[::-1], DAMPING, name).sa[::-1] for name in horizontal]
     return np.sqrt(sum(np.square(row) for row in rows))

@@ -162,7 +162,7 @@ class Reader(NamedTuple):
     """
 
     name: str
-    recognise: Callable[[str], bool]
+    recognise: Callable[[str], object]
     read: Callable[[str, str | None, float | None], list[Channel]]
 
 

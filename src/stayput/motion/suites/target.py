@@ -136,7 +136,7 @@ class TargetSpectrum:
         """Refuse motions of an upper floor where the spectrum is one of the ground."""
         if self.of_the_ground:
             for motion in motions:
-                of_the_ground(motion, "spectrum")
+                of_the_ground(motion, "here")
 
 
 def band_periods(band: tuple[float, float]) -> NDArray[np.float64]:
