@@ -23,7 +23,7 @@ import numpy as np
 
 CITY = """
 [room]
-back_wall = {{ gap = 0.05 }}
+left_wall = {{ gap = 0.05 }}
 ceiling = {{ height = 2.4 }}
 [shaking]
 {shaking}

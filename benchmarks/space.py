@@ -213,7 +213,7 @@ def verified(family: str, motions: int = 20, samples: int = 8) -> Table:
         scenario = {
             "dimensions": dimensions,
             "furniture": {"preset": "bookcase"},
-            "room": {"floor": "wood flooring", "back_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}},
+            "room": {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}},
             "shaking": {"intensity": "6-upper", "suite": {"family": family, "count": motions}},
         }
         first, all_draws = (

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 
     from stayput.verification import Verdict
 
-ROOM = {"floor": "wood flooring", "back_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
+ROOM = {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
 
 
 def bookcase(motions: int, samples: int) -> Scenario:
@@ -139,7 +139,7 @@ def drawn(seed: int) -> Scenario:
         else {"static_friction": friction, "kinetic_friction": 0.8 * friction}
     }
     if rng.random() < 0.8:
-        room["back_wall"] = {"gap": float(rng.choice([0.0, 0.01, 0.02, 0.05, 0.1, 0.3]))}
+        room["left_wall"] = {"gap": float(rng.choice([0.0, 0.01, 0.02, 0.05, 0.1, 0.3]))}
     if rng.random() < 0.3:
         room["right_wall"] = {"gap": between(0.1, 1.0)}
     if rng.random() < 0.6:

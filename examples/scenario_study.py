@@ -16,7 +16,7 @@ scenario = sp.read_scenario(Path(sys.argv[0]).with_name("bookcase.toml"))
 tables = scenario.model_dump(exclude_none=True)
 found = {}
 for gap in (0.0, 0.02, 0.20):
-    tables["room"]["back_wall"] = {"gap": gap}
+    tables["room"]["left_wall"] = {"gap": gap}
     found[gap] = sp.Scenario.parse(tables).case().run()
     print(f"gap {gap:.2f} m: {found[gap].outcome}, {found[gap].wall_impacts} wall impacts")
 

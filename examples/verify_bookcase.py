@@ -16,7 +16,7 @@ scenario = sp.Scenario.parse(
     {
         "title": "Bookcase with its back to a wall",
         "furniture": {"preset": "bookcase"},
-        "room": {"floor": "wood flooring", "back_wall": {"gap": 0.02}},
+        "room": {"floor": "wood flooring", "left_wall": {"gap": 0.02}},
         "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 8}},
         "uncertainty": {"samples": 16, "seed": 1},
         "measures": [{"type": "felt_glides"}, {"type": "l_bracket"}],

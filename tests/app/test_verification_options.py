@@ -17,7 +17,7 @@ from stayput.verification.options import compared_options
 
 ON_CARPET = {
     "furniture": {"preset": "bookcase"},
-    "room": {"floor": "carpet", "back_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}},
+    "room": {"floor": "carpet", "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}},
     "shaking": {"intensity": 6.0, "suite": {"count": 4}},
     "uncertainty": {"samples": 8},
 }

@@ -22,7 +22,7 @@ cg_offset = [0.01, -0.05]
 
 [room]
 floor = { static_friction = 0.45, kinetic_friction = 0.35, restitution = 0.1 }
-back_wall.gap = 0.02
+left_wall.gap = 0.02
 ceiling = { height = 2.4 }
 
 [shaking]

@@ -38,7 +38,7 @@ wall = st.fixed_dictionaries({"gap": number(0.0, 1.0)}, optional={"restitution":
 room = optional(
     floor=st.sampled_from(sorted(SURFACES))
     | optional(surface=st.sampled_from(sorted(SURFACES)), restitution=number(0.0, 1.0)),
-    back_wall=wall,
+    left_wall=wall,
     right_wall=wall,
     ceiling=st.fixed_dictionaries({"height": number(2.5, 4.0)}),
 )

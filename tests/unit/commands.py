@@ -14,7 +14,7 @@ width = 0.3
 height = 1.5
 mass = 60.0
 [room]
-back_wall = { gap = 0.02 }
+left_wall = { gap = 0.02 }
 [shaking]
 builtin = "near-fault"
 [uncertainty]
@@ -26,7 +26,7 @@ BOOKCASE = """
 [furniture]
 preset = "bookcase"
 [room]
-back_wall = { gap = 0.02 }
+left_wall = { gap = 0.02 }
 [shaking]
 intensity = "6-lower"
 suite = { family = "near-fault", count = 2 }

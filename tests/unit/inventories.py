@@ -28,7 +28,7 @@ CITY = """
 title = "test"
 [room]
 floor = "wood flooring"
-back_wall = { gap = 0.05 }
+left_wall = { gap = 0.05 }
 ceiling = { height = 2.4 }
 [shaking]
 intensity = 6.0
@@ -123,7 +123,7 @@ def verified(
     behind = {"gap": gap} if wall is None else {"gap": gap, "construction": wall}
     scenario = {
         "furniture": furniture or {"preset": "bookcase"},
-        "room": {"floor": floor, "back_wall": behind, "ceiling": {"height": 2.4}},
+        "room": {"floor": floor, "left_wall": behind, "ceiling": {"height": 2.4}},
         "shaking": {"intensity": 6.0, "suite": suite, **(shaking or {})},
         "uncertainty": {"samples": 6, "seed": 1},
         **tables,

@@ -32,7 +32,7 @@ BODY = Body(0.4, 1.8, 100.0, base_insets=(0.01, 0.02), base_heights=(0.0, -0.001
 ROOM = Room(Floor.of("tatami, along the weave", restitution=0.97), left_wall=Wall(0.03, restitution=0.55))
 SCENARIO = {
     "furniture": {"preset": "bookcase"},
-    "room": {"back_wall": {"gap": 0.02, "restitution": 0.6}},
+    "room": {"left_wall": {"gap": 0.02, "restitution": 0.6}},
     "shaking": {"builtin": "near-fault", "intensity": 6.0},
     "measures": [{"type": "l_bracket"}],
 }

@@ -64,9 +64,9 @@ def test_a_body_that_rests_has_null_for_its_overturning():
 
 def test_flags_override_the_scenario_file(tmp_path):
     file = tmp_path / "room.toml"
-    file.write_text('[furniture]\npreset = "chest"\n[room]\nback_wall = { gap = 0.5 }\n')
+    file.write_text('[furniture]\npreset = "chest"\n[room]\nleft_wall = { gap = 0.5 }\n')
     floor = "room.floor={ static_friction = 0.2, kinetic_friction = 0.1 }"
-    settings = ("shaking.scale=2", floor, "room.back_wall.gap=0.1", "room.right_wall.gap=0.3")
+    settings = ("shaking.scale=2", floor, "room.left_wall.gap=0.1", "room.right_wall.gap=0.3")
     flags = ["--motion", "sine:1,1,1", *(f"--set={setting}" for setting in settings)]
     seen = []
     original = stayput.Case.run

@@ -21,7 +21,7 @@ title = "事務室の書棚"
 preset = "bookcase"
 [room]
 floor = "wood flooring"
-back_wall = { gap = 0.02 }
+left_wall = { gap = 0.02 }
 ceiling = { height = 2.4 }
 [shaking]
 SHAKING

@@ -22,7 +22,7 @@ ROOM = sp.Room(left_wall=sp.Wall(0.02), ceiling=sp.Ceiling(2.4))
 
 FILE = {
     "furniture": {"preset": "bookcase"},
-    "room": {"back_wall": {"gap": 0.02, "construction": "plasterboard"}, "ceiling": {"height": 2.4}},
+    "room": {"left_wall": {"gap": 0.02, "construction": "plasterboard"}, "ceiling": {"height": 2.4}},
     "shaking": {"intensity": 6.25, "suite": {"count": 20}},
     "measures": [
         {"type": "l_bracket", "wall": "stud"},

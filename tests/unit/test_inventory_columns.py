@@ -252,7 +252,7 @@ def test_japanese_reasons_know_no_key_of_a_column(tmp_path, heading):
         "すき間(m)": "0.1", "壁": "concrete", "緯度": "35", "経度": "135", "対策": "l_bracket",
     }  # fmt: skip
     bad = [good | {"番号": f"b{n}", heading: cell} for n, cell in enumerate(BAD_CELLS[heading])]
-    bare = CITY.replace("back_wall = { gap = 0.05 }\n", "")
+    bare = CITY.replace("left_wall = { gap = 0.05 }\n", "")
     text = "\n".join(",".join(row.values()) for row in [dict(zip(good, good, strict=True)), good, *bad])
     _, rejects, *_ = read(tmp_path, text, "measures=対策,costs=費用", scenario=bare)
     assert len(rejects) == len(bad)

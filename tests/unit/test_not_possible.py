@@ -24,7 +24,7 @@ from stayput.verification.options import Impossible, compared_options
 
 TABLES = {
     "furniture": {"preset": "chest"},
-    "room": {"floor": "wood flooring", "back_wall": {"gap": 0.02}, "ceiling": {"height": 1.5}},
+    "room": {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"height": 1.5}},
     "shaking": {"builtin": "near-fault", "scale": 0.3},
     "uncertainty": {"samples": 2},
 }

@@ -62,7 +62,6 @@ TABLES: dict[str, tuple[Any, dict[str, Any]]] = {
     "furniture": (sp.Body, {"preset": "bookcase"}),
     "room.floor": (sp.Floor, {}),
     "room.left_wall": (sp.Wall, {"gap": 0.1}),
-    "room.back_wall": (sp.Wall, {"gap": 0.1}),
     "room.right_wall": (sp.Wall, {"gap": 0.1}),
     "room.near_side_wall": (sp.Wall, {"gap": 0.1}),
     "room.far_side_wall": (sp.Wall, {"gap": 0.1}),

@@ -16,7 +16,7 @@ FILE = """
 [furniture]
 preset = "bookcase"
 [room]
-back_wall = { gap = 0.02 }
+left_wall = { gap = 0.02 }
 ceiling = { height = 2.3 }
 [[measures]]
 type = "l_bracket"

@@ -64,8 +64,28 @@ def both_print(file: Path) -> str:
         (piece(1, measures=[{"type": "glue"}]), "furniture[1].measures[0].type is 'glue'"),
         (piece(1, measures=[{"type": "belt"}, {"type": "belt"}]), "In [furniture[1]]: Belts is given twice"),
         (
-            {"options": [{"name": "x", "pieces": [{"name": "chest", "measures": [{"type": "belt"}]}] * 2}]},
+            {"options": [{"name": "x", "measures": {"chest": [{"type": "belt"}] * 2}}]},
             "In [options[0]]: Belts is given twice",
+        ),
+        (
+            {"options": [{"name": "x", "measures": {"cupboard": [{"type": "belt"}]}}]},
+            "options[0].measures is 'cupboard', which names no piece",
+        ),
+        (
+            {"options": [{"name": "x", "measures": {"chest": [{"type": "glue"}]}}]},
+            "options[0].measures.chest[0].type is 'glue'",
+        ),
+        (
+            {"options": [{"name": "x", "measures": {"chest": [{"type": "belt", "height": -1.0}]}}]},
+            "options[0].measures.chest[0].height is -1.0; it must be",
+        ),
+        (
+            {"options": [{"name": "x", "measures": {"chest": {"type": "belt"}}}]},
+            "options[0].measures.chest is a table; it must be a list",
+        ),
+        (
+            {"options": [{"name": "x", "measures": [{"type": "belt"}]}]},
+            "options[0].measures is",
         ),
         (
             {"furniture": [{"name": "stone", "mesh": "stone.stl", "unit": "furlong", "mass": 5.0}]},

@@ -17,7 +17,7 @@ from stayput.simulation.case import Case
 
 BOOKCASE = {
     "furniture": {"preset": "bookcase"},
-    "room": {"back_wall": {"gap": 0.02}},
+    "room": {"left_wall": {"gap": 0.02}},
     "shaking": {"suite": {"family": "near-fault", "count": 3}, "intensity": "6-upper"},
     "measures": [{"type": "l_bracket"}],
     "dimensions": 3,

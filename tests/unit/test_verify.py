@@ -17,7 +17,7 @@ from stayput.scenario import Scenario
 from stayput.verification import verify
 from stayput.verification.options import compared_options
 
-ROOM = {"floor": "wood flooring", "back_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
+ROOM = {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
 FEW = np.array([5.0, 5.75, 6.5])
 
 
@@ -270,7 +270,7 @@ def test_a_piece_is_safe_by_the_end_of_the_interval_alone():
     [
         {"room": {"ceiling": {"height": 0.5}}},
         {"room": {"ceiling": {"height": 1.79}}},
-        {"room": {"back_wall": {"gap": 0.0}}, "initial": {"tilt": -0.05}},
+        {"room": {"left_wall": {"gap": 0.0}}, "initial": {"tilt": -0.05}},
     ],
 )
 def test_a_piece_inside_the_ceiling_or_the_wall_is_refused(tables):

@@ -21,7 +21,7 @@ from stayput.verification.words import reason
 
 DATA = {
     "furniture": {"preset": "bookcase"},
-    "room": {"back_wall": {"gap": 0.02}},
+    "room": {"left_wall": {"gap": 0.02}},
     "shaking": {"intensity": 6.25, "suite": {"count": 4}},
     "contents": {"kind": "books"},
     "measures": [{"type": "l_bracket"}],

@@ -47,7 +47,7 @@ DRESSER: dict[str, Any] = {
         {"first": "upper", "second": "lower", "at": [-0.19, y, 0.9], "strength": 2000.0, "shear": 2000.0}
         for y in (-0.4, 0.4)
     ],
-    "room": {"floor": FRICTION, "back_wall": {"gap": 0.02}, "ceiling": {"height": 2.6}},
+    "room": {"floor": FRICTION, "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.6}},
     "shaking": {"sine": {"amplitude": 5.5, "frequency": 0.8, "duration": 3.0}},
     "uncertainty": {"samples": 2},
 }
@@ -55,7 +55,7 @@ DRAW = draws_of_several("abc", 1, 1, seed=2)[0][0]
 
 
 def option(name: str, piece: str, measure: str) -> dict[str, Any]:
-    return {"name": name, "pieces": [{"name": piece, "measures": [{"type": measure}]}]}
+    return {"name": name, "measures": {piece: [{"type": measure}]}}
 
 
 def parsed(**changed: Any) -> Scenario:
@@ -216,7 +216,7 @@ def test_what_a_soft_floor_leaves_out_is_said() -> None:
 
 
 def test_a_bracket_that_reaches_the_wall_does_in_every_draw() -> None:
-    scenario = parsed(room={**DRESSER["room"], "back_wall": {"gap": 0.1}})
+    scenario = parsed(room={**DRESSER["room"], "left_wall": {"gap": 0.1}})
     bracket = next(one for one in compared_options(scenario)[0] if one.name == "l_bracket")
     scene = scenario.scene(bracket)
     drawn = draws_of_several("abc", 1, 16, seed=1)[0]

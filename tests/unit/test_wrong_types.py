@@ -25,7 +25,7 @@ CASE = sp.Case(BODY, ROOM, MOTION)
 SCENARIO = sp.Scenario.parse(
     {
         "furniture": {"preset": "bookcase"},
-        "room": {"back_wall": {"gap": 0.02}},
+        "room": {"left_wall": {"gap": 0.02}},
         "shaking": {"intensity": 6.0, "suite": {"count": 1}},
         "measures": [{"type": "l_bracket"}],
         "uncertainty": {"samples": 1},

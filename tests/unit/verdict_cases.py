@@ -20,7 +20,7 @@ from stayput.verification.verdict import DeviceSummary, OptionVerdict, PieceVerd
 SCENARIO = {
     "title": "Study",
     "furniture": {"preset": "bookcase"},
-    "room": {"floor": "wood flooring", "back_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}},
+    "room": {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}},
     "shaking": {"builtin": "near-fault", "scale": 0.6},
 }
 MOTIONS, SAMPLES = 10, 8

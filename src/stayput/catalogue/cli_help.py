@@ -95,11 +95,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "threads": ("Threads; by default as many as cores.", "スレッド数。指定しなければコアの数"),
     "set": (
         (
-            "Any key of the scenario, as its file would say it: shaking.pgv=0.5, room.back_wall.gap=0.1, "
+            "Any key of the scenario, as its file would say it: shaking.pgv=0.5, room.left_wall.gap=0.1, "
             "furniture[1].heading=0.3. May be repeated."
         ),
         (
-            "シナリオのキーをファイルに書くのと同じ形で指定する（例：shaking.pgv=0.5、room.back_wall.gap=0.1、"
+            "シナリオのキーをファイルに書くのと同じ形で指定する（例：shaking.pgv=0.5、room.left_wall.gap=0.1、"
             "furniture[1].heading=0.3）。複数回指定できる"
         ),
     ),

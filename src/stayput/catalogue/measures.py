@@ -236,7 +236,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # Measures whose numbers do not go with the piece, the room or each other
     "no_wall": (
-        "There is no wall behind the piece; for “{measure}” the room must have a back_wall.",
+        "There is no wall behind the piece; for “{measure}” the room must have a left_wall.",
         "「{measure}」には背面の壁が必要です。",
     ),
     "too_far": (

@@ -25,6 +25,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "list": ("a list of {count} items, each {item}", "{count}個の要素のリスト（各要素は{item}）"),
     "few_to_many": ("{few} to {many}", "{few}～{many}"),
     "table_of": ("a table of {keys}", "{keys}からなるテーブル"),
+    "names_of_pieces": ("names of pieces", "家具の名前"),
     "text": (
         "a text of {few} to {many} characters without control characters",
         "{few}～{many}文字の文字列（制御文字を除く）",
@@ -65,8 +66,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "家具{name!r}に対策が指定されています。対策はpresetか直方体の家具だけに使えます。",
     ),
     "no_such_path": (
-        "{path!r} is no key of the file; it must be like room.back_wall.gap or joints[0].strength.",
-        "{path!r}というキーはありません。room.back_wall.gapやjoints[0].strengthのように指定してください。",
+        "{path!r} is no key of the file; it must be like room.left_wall.gap or joints[0].strength.",
+        "{path!r}というキーはありません。room.left_wall.gapやjoints[0].strengthのように指定してください。",
     ),
     "installed_well": ("'well' or left out, for several pieces", "複数の家具では'well'（または省略）"),
     "of_a_lone_piece": ("where furniture is more than one preset or box", "家具1つ（[plan]なし）以外"),

@@ -150,7 +150,7 @@ def takes(flags: Mapping[str, Any]) -> Callable[[Callable[..., None]], Callable[
 
 EXAMPLE: dict[str, Any] = {
     "furniture": {"preset": "bookcase"},
-    "room": {"floor": "wood flooring", "back_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}},
+    "room": {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}},
     "shaking": {"builtin": "near-fault"},
 }
 """The example that is simulated by default: a full bookcase with its back to a wall, under one motion."""

@@ -141,13 +141,15 @@ def of_known_type(place: str = "measures", *, nested: bool = False) -> BeforeVal
     Parameters
     ----------
     place : str
-        The list's key.
+        The key of the list, or of a table of lists.
     nested : bool
         Whether none of them may combine several.
     """
 
     def check(value: object) -> object:
-        _refuse_wrong_type(value, place, nested=nested)
+        lists = cast("dict[str, object]", value) if isinstance(value, dict) else {"": value}
+        for name, items in lists.items():
+            _refuse_wrong_type(items, f"{place}.{name}" if name else place, nested=nested)
         return value
 
     return BeforeValidator(check)

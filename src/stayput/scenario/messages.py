@@ -129,6 +129,9 @@ def _node(place: Sequence[str | int], schema: dict[str, Any]) -> dict[str, Any]:
             if part in kind.get("properties", {}):
                 node = kind["properties"][part]
                 break
+            if "additionalProperties" in kind and isinstance(kind["additionalProperties"], dict):
+                node = kind["additionalProperties"]
+                break
     return node
 
 
@@ -167,6 +170,7 @@ def _in_words(kind: dict[str, Any], schema: dict[str, Any]) -> Phrase:
             count = str(few) if few == many else phrase("scenario.few_to_many", few=few, many=many)
             return phrase("scenario.list", count=count, item=_allowed(kind["items"], schema))
         case "object":
-            return phrase("scenario.table_of", keys=", ".join(kind["properties"]))
+            by_name = phrase("scenario.names_of_pieces")
+            return phrase("scenario.table_of", keys=", ".join(kind.get("properties", ())) or by_name)
         case _:
             return phrase("scenario.text", few=kind["minLength"], many=kind["maxLength"])

@@ -212,24 +212,15 @@ class JointTable(Table):
         return Joint(names.index(self.first), names.index(self.second), **stated)
 
 
-class HeldPieceTable(Table):
-    """Measures on one of the pieces."""
-
-    name: Text = Field(description="The piece.")
-    measures: Annotated[MeasuresInPlace, of_known_type("options.pieces.measures", nested=True)] = Field(
-        description="The measures on it, each a table with its type."
-    )
-
-
 class OptionTable(Table):
     """One way to hold the pieces, which a verification compares with the others."""
 
     name: Text = Field(description="What it is called.")
     joined: bool = Field(default=True, description="Whether the joints of the file are in place.")
-    pieces: Annotated[list[HeldPieceTable], Field(min_length=0, max_length=100)] = Field(
-        default=[], description="The pieces that measures hold."
+    measures: Annotated[dict[str, MeasuresInPlace], of_known_type("options.measures", nested=True)] = Field(
+        default={}, description="The measures on each piece, by its name: tables with their types."
     )
 
     def on(self, name: str) -> tuple[Measure, ...]:
         """Make the measures on a piece."""
-        return tuple(item for held in self.pieces if held.name == name for item in in_place(held.measures))
+        return in_place(self.measures.get(name))

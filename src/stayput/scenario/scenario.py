@@ -48,7 +48,7 @@ class Scenario(SceneTables):
     Examples
     --------
     >>> import stayput as sp
-    >>> tables = {"furniture": {"preset": "bookcase"}, "room": {"back_wall": {"gap": 0.02}}}
+    >>> tables = {"furniture": {"preset": "bookcase"}, "room": {"left_wall": {"gap": 0.02}}}
     >>> for scale in (0.2, 1.0):
     ...     shaking = {"builtin": "near-fault", "scale": scale}
     ...     print(scale, sp.Scenario.parse({**tables, "shaking": shaking}).run().outcome)
@@ -135,12 +135,12 @@ class Scenario(SceneTables):
         taken = {NOTHING: phrase("scenario.option_of_nothing")}
         refuse_same_names("options", [option.name for option in options], taken)
         for number, option in enumerate(options):
-            for place, piece in enumerate(option.pieces):
-                name = f"options[{number}].pieces[{place}].name"
-                if piece.name not in names:
-                    raise InputError("scenario.no_such_piece", name, value=repr(piece.name))
-                if not self.pieces[names.index(piece.name)].is_furniture:
-                    raise InputError("scenario.measures_on_solid", name, name=piece.name)
+            for piece in option.measures:
+                key = f"options[{number}].measures"
+                if piece not in names:
+                    raise InputError("scenario.no_such_piece", key, value=repr(piece))
+                if not self.pieces[names.index(piece)].is_furniture:
+                    raise InputError("scenario.measures_on_solid", f"{key}.{piece}", name=piece)
             for name in names:
                 checked(f"options[{number}]", partial(refuse_conflicts, option.on(name)))
 

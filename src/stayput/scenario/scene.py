@@ -110,12 +110,12 @@ class SceneTables(FromFile):
 
     @model_validator(mode="after")
     def _in_the_room(self) -> Self:
-        of_a_plan, of_walls = {"doors", "windows", "places"}, {*WALLS_AROUND, "back_wall"}
+        of_a_plan = "doors", "places", "windows"
         if self.plan is None:
-            stated = [*filter(self.says, sorted(of_a_plan)), *["room.walls"] * self.room.says("walls")]
+            stated = [*filter(self.says, of_a_plan), *["room.walls"] * self.room.says("walls")]
             if stated:
                 raise InputError("scenario.needs_both", stated[0], other="plan")
-        elif stated := [*filter(self.room.says, sorted(of_walls))]:
+        elif stated := [*filter(self.room.says, sorted(WALLS_AROUND))]:
             raise InputError("scenario.only_one", f"room.{stated[0]}", other="plan")
         else:
             try:

@@ -137,7 +137,6 @@ class RoomTable(Table):
         default="wood flooring", description="A surface preset or a table of coefficients."
     )
     left_wall: WallTable | None = Field(default=None, description="The wall at the back.")
-    back_wall: WallTable | None = Field(default=None, description="Another name for left_wall.")
     right_wall: WallTable | None = Field(default=None, description="The wall at the front.")
     near_side_wall: WallTable | None = Field(
         default=None, description="The wall at the near side, at −y; in space alone."
@@ -150,17 +149,9 @@ class RoomTable(Table):
     )
     ceiling: CeilingTable | None = Field(default=None, description="The ceiling.")
 
-    @model_validator(mode="after")
-    def _consistent(self) -> Self:
-        if self.left_wall is not None and self.back_wall is not None:
-            name, other = "room.back_wall", "room.left_wall"
-            raise InputError("scenario.only_one", name, other=other)
-        return self
-
     def room(self) -> Room:
         """Make the room."""
         walls = {name: getattr(self, name) for name in WALLS_AROUND}
-        walls["left_wall"] = self.left_wall or self.back_wall
         made = {name: Wall(**wall.model_dump()) for name, wall in walls.items() if wall is not None}
         return Room(floor_of(self.floor), ceiling=self.ceiling and self.ceiling.ceiling(), **made)
 
