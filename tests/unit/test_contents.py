@@ -43,7 +43,7 @@ CONTRADICTIONS = [
         ({"loads": (10.0, -1.0)}, "load of a shelf is -1"),
         ({"lip": -0.1}, "lip height is -0.1"),
         ({"shelves": 0}, "number of shelves is 0"),
-        ({"static_friction": 0.1}, "must not be above the static"),
+        ({"static_friction": 0.1}, "must be between 0 and 0.1"),
         ({"shelves": 2.5}, "must be a whole number"),
     ],
 )

@@ -68,10 +68,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "NUMBA_DISABLE_JIT is set, and the mechanics run as compiled code only; unset it.",
         "NUMBA_DISABLE_JITが設定されていますが、計算部はコンパイルしたコードでしか動きません。設定を解除してください。",
     ),
-    "kinetic_above_static": (
-        "{name} is {kinetic:g}; it must not be above the static one, {static:g}.",
-        "{name}が{kinetic:g}になっています。静止摩擦係数（{static:g}）以下にしてください。",
-    ),
     "too_many": (
         "{name} has {count:,} {what}; it must have at most {most:,}.",
         "{name}の{what}が{count:,}あります。{most:,}以下にしてください。",

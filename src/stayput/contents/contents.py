@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, kinetic_above_static, list_of, word_of
+from stayput.errors import InputError, instance_of, list_of, within, word_of
 from stayput.measures.place import with_mass
 from stayput.model.body import MASS_RANGE, SIZE_RANGE
 from stayput.model.parameters import check_fields, other_default, parameter, parameter_of, quantity
@@ -175,8 +175,7 @@ class Contents:
         self._check_loads()
         self._check_fronts()
         static, kinetic = self.friction
-        if kinetic > static:
-            raise kinetic_above_static("contents.kinetic_friction", kinetic, static, "kinetic_friction")
+        within("contents.kinetic_friction", kinetic, 0.0, static, field="kinetic_friction")
 
     def _check_loads(self) -> None:
         """Refuse loads that are none, or that are not those of the shelves."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import kinetic_above_static, not_allowed, shown, word_of
+from stayput.errors import not_allowed, shown, within, word_of
 from stayput.model.parameters import check_fields, parameter, quantity
 from stayput.uncertainty import Confidence
 from stayput.vocabulary import preset_meant
@@ -129,9 +129,8 @@ class Floor:
         flat, edge = (self.static_friction, self.kinetic_friction), self.edge_friction
         each = (flat, edge, self._own("left_edge_", edge), self._own("right_edge_", edge))
         for (base, called), (static, kinetic) in zip(_BASES.items(), each, strict=True):
-            if kinetic > static:
-                name = phrase("model.kinetic_friction", surface=called)
-                raise kinetic_above_static(name, kinetic, static, f"{base}kinetic_friction")
+            name = phrase("model.kinetic_friction", surface=called)
+            within(name, kinetic, 0.0, static, field=f"{base}kinetic_friction")
 
     @property
     def edge_friction(self) -> tuple[float, float]:
