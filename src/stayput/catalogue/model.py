@@ -6,25 +6,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     "kinetic_friction": ("{surface} kinetic friction", "{surface}の動摩擦係数"),
     "field_of": ("“{owner}” {name}", "「{owner}」の{name}"),
     # Bodies
-    "cg_outside": (
-        (
-            "Body cg_offset is ({x:g}, {z:g}) m; the centre of gravity must lie inside the section, "
-            "so below {half_width:g} m sideways and {half_height:g} m upwards in size."
-        ),
-        (
-            "重心のずれ（cg_offset）が ({x:g}, {z:g}) mになっています。重心は断面の内側になければなりません。"
-            "横は{half_width:g} m未満、縦は{half_height:g} m未満にしてください。"
-        ),
+    "inside_the_section": (
+        "inside the section: below {width:g} m sideways and {height:g} m upwards in size",
+        "断面の内側（横{width:g} m未満、縦{height:g} m未満）の値",
     ),
-    "cg_beside_base": (
-        (
-            "With base_insets {insets} the base of the body of {width:g} m does not carry its centre of gravity, "
-            "{x:g} m right of the middle; use smaller insets."
-        ),
-        (
-            "base_insets が{insets}のとき、幅{width:g} mの家具の底面は中央から{x:g} m右の重心を支えられません。"
-            "より小さい値を指定してください。"
-        ),
+    "bearing_insets": (
+        "smaller, so that the base carries the centre of gravity, {x:g} m right of the middle",
+        "中央から{x:g} m右の重心を底面が支えられる、より小さい値",
     ),
     "not_of_its_shape": (
         "{name} follows from the shape of the body; make another body with Body.hull, .box, .cylinder or .mesh.",

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, finite, instance_of, list_of, not_allowed, numbers
 from stayput.model.parameters import (
     GRAVITY,
@@ -153,10 +154,8 @@ class Body(Shapes, Brief):
         label = parameter_of(Body, "cg_offset").label
         e_x, e_z = (finite(label, value, "cg_offset") for value in self.cg_offset)
         if abs(e_x) >= self.width / 2 or abs(e_z) >= self.height / 2:
-            half_width, half_height = self.width / 2, self.height / 2
-            raise InputError(
-                "model.cg_outside", "cg_offset", x=e_x, z=e_z, half_width=half_width, half_height=half_height
-            )
+            inside = phrase("model.inside_the_section", width=self.width / 2, height=self.height / 2)
+            raise not_allowed(label, f"({e_x:g}, {e_z:g}) m", inside, "cg_offset")
         if self.inertia is not None:
             largest = 4.0 * self.mass * (self.width**2 + self.height**2)
             bounds = (1e-6 * self.uniform_inertia, largest)
@@ -168,9 +167,8 @@ class Body(Shapes, Brief):
             parameter_of(Body, "base_insets").check(value, bounds=(0.0, MOST_INSET * self.width))
         (left, _), (right, _), _, _ = self.corners
         if not left < 0.0 < right:
-            raise InputError(
-                "model.cg_beside_base", "base_insets", x=e_x, insets=repr(self.base_insets), width=self.width
-            )
+            label, bearing = parameter_of(Body, "base_insets").label, phrase("model.bearing_insets", x=e_x)
+            raise not_allowed(label, repr(self.base_insets), bearing, "base_insets")
 
     def _repr_html_(self) -> str:
         from stayput.report.notebook import body_html
