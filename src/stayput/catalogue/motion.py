@@ -246,6 +246,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The suite has 1 motion; a standard deviation needs at least 2.",
         "地震動が1つしかありません。標準偏差を求めるには2つ以上必要です。",
     ),
+    "the_suite": ("The suite", "地震動群"),
     "folder_of_records": ("a folder, or a list of files", "地震記録のフォルダかファイルの一覧"),
     "suite_left_out": (
         "Of the folder {name!r} these files are left out: {files}.",

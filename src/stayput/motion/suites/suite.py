@@ -366,7 +366,7 @@ def read_suite(
     if isinstance(source, str | os.PathLike):
         folder = Path(source)
         if not folder.is_dir():
-            raise not_allowed("source", repr(str(folder)), "motion.folder_of_records", "source")
+            raise not_allowed("motion.the_suite", repr(str(folder)), "motion.folder_of_records", "source")
         title = folder.resolve().name
         motions = records_in(folder, title, component, unit, **options)
     else:
