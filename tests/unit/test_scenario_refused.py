@@ -107,7 +107,7 @@ def both_print(file: Path) -> str:
         (joint(slack=0.1), "In [joints[0]]: A joint at one point has a slack of 0.1 m"),
         (joint(second="chest"), "In [joints[0]]: A joint joins 'chest' to itself"),
         (joint(at=[0.0, 0.0, 9.0]), "joints[0] holds 'chest' at a point 8.75 m from its centre of gravity"),
-        ({"static_friction": 0.1}, "Kinetic friction between bodies is 0.3; it must not be above"),
+        ({"static_friction": 0.1}, "Kinetic friction between bodies is 0.3; it must be between 0 and 0.1"),
         ({"shaking": {"record": "none.csv"}}, "In [shaking]: '"),
         (piece(2, at=[0.1, 0.0]), "'chest' and 'vase' begin 0.15 m inside each other"),
         (piece(2, at=[2.0, 0.0, -0.1]), "'vase' begins 0.1 m inside the floor"),
