@@ -9,7 +9,8 @@ import pytest
 from typer.testing import CliRunner
 
 import stayput as sp
-from stayput.building import STRUCTURES, Building, Isolation, ShearModel
+from stayput.building.building import STRUCTURES, Building, Isolation
+from stayput.building.model import ShearModel
 from stayput.building.modes import ai_distribution, spectral_factor, storey_stiffnesses, weight_above
 from stayput.cli import app
 from stayput.motion.integrals import peak_velocity
@@ -166,7 +167,7 @@ def test_dataset_has_units():
         (lambda: Building(2.5), "whole number"),
         (lambda: Building(period=-1.0), "Building period is -1 s"),
         (lambda: Building(damping=math.nan), "finite"),
-        (lambda: Building(post_yield=0.1, nonlinear=False), "nonlinear"),
+        (lambda: Building(post_yield=0.1, nonlinear=False), "post_yield is given for a linear building"),
         (lambda: Building(structure="base-isolated", period=5.0), "must be below"),
         (lambda: Isolation(damping=0.5, post_yield=0.3), "must be below"),
         (lambda: ShearModel([1.0], [1.0, 2.0], 0.05), "stiffnesses has 2 values; it must have 1"),

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from inventories import CITY, city, rows_of_results, table
 
-from stayput.fragility import difference
+from stayput.fragility.paired import difference
 from stayput.inventory import assess
 from stayput.inventory.report import UNTOLD, findings_told
 from stayput.inventory.results import Finding, choose, finding_of, least_motions, numbers_of

@@ -14,7 +14,7 @@ import pytest
 from inventories import city, rows_of_results, table
 
 import stayput as sp
-from stayput.fragility import PGA, PGV, spectral_acceleration
+from stayput.fragility.intensity_measures import PGA, PGV, spectral_acceleration
 from stayput.inventory import assess
 from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.shakemap import GroundLevel, unwrapped
@@ -365,7 +365,7 @@ def test_a_shake_map_says_how_strong_it_shakes(tmp_path):
 
 
 def geometric_mean_of_sa(motion, period):
-    spectra = [sp.response_spectrum(motion, [period], 0.05, name).sa[0] for name in ("x", "y")]
+    spectra = [motion.spectrum([period], 0.05, name).sa[0] for name in ("x", "y")]
     return np.sqrt(np.prod(spectra)) / G
 
 

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from stayput.app.limits import Limits
     from stayput.app.requests import Upload
     from stayput.errors import InputWarning
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
 
 MOST_INTERVALS = 1000
 """Most intervals of a preview, each with its lowest and highest value."""

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.measures import Measure
     from stayput.measures.element import DeviceResult
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.scenario import Scenario
     from stayput.scenario.shaking import ShakingTable
     from stayput.simulation.run import Run

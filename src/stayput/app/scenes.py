@@ -11,7 +11,7 @@ from stayput.app.refusals import RefusedError, refused
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.model.parameters import parameter_of
-from stayput.motion import sine
+from stayput.motion.synthetic import sine
 from stayput.scenario import Scenario
 from stayput.scenario.option import YOURS
 from stayput.scenario.shaking import RECORD_FILES, SuiteTable

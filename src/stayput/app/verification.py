@@ -19,8 +19,8 @@ from stayput.app.verdict_replies import (
     VerdictReply,
     ZoneReply,
 )
-from stayput.fragility import JMA_INTENSITY
 from stayput.fragility.curve import METHOD, CurveState
+from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures import hold
 from stayput.report.room.data import room_data
 from stayput.report.summary import by_language
@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 
     from stayput.app.jobs import AnyVerdict, Job
     from stayput.app.limits import Limits
-    from stayput.fragility import FragilityCurve
+    from stayput.fragility.curve import FragilityCurve
     from stayput.verification import Verdict
     from stayput.verification.verdict import OptionVerdict
 

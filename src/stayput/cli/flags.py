@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 
     from stayput.measures import Measure
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.scenario import Scenario
 
 

@@ -18,7 +18,7 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, not_allowed, reason_of, within
 from stayput.execution import Pool
 from stayput.extras import arrow
-from stayput.fragility import JMA_INTENSITY, PGA, PGV
+from stayput.fragility.intensity_measures import JMA_INTENSITY, PGA, PGV
 from stayput.inventory.columns import read_columns
 from stayput.inventory.folder import MANIFEST, PLAN, called, check_parts, claimed, input_digest, inputs_of
 from stayput.inventory.plan import make_plan

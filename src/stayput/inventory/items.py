@@ -11,8 +11,7 @@ from cachetools import LRUCache
 from pydantic import ValidationError
 
 from stayput.catalogue import phrase
-from stayput.contents import Contents
-from stayput.contents.contents import emptied
+from stayput.contents.contents import Contents, emptied
 from stayput.errors import InputError, not_allowed, too_many, unknown, visible, whole_within, within
 from stayput.inventory.cells import (
     ROOF,

@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, Annotated, Any, cast
 
 from pydantic import ValidationError
 
-from stayput.building import STRUCTURES
+from stayput.building.building import STRUCTURES
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, not_allowed, shown, warn
-from stayput.fragility import JMA_INTENSITY
+from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.inventory.shakemap import distances
 from stayput.motion.floors import of_the_ground
 from stayput.scenario import Scenario
@@ -28,7 +28,7 @@ from stayput.vocabulary import meant
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
-    from stayput.fragility import IntensityMeasure
+    from stayput.fragility.intensity_measures import IntensityMeasure
     from stayput.inventory.shakemap import GroundLevel, ShakeMap
     from stayput.motion.suites.suite import Suite
     from stayput.scenario.tables import BuildingTable
@@ -80,7 +80,7 @@ class ScenarioFile:
         """The motions, which must be of the ground."""
         suite = self.scenario.ground()
         for motion in suite:
-            of_the_ground(motion, "inventory")
+            of_the_ground(motion, "here")
         return suite
 
     @cached_property

@@ -11,19 +11,18 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, unknown, within
-from stayput.fragility import JMA_INTENSITY, PGA, PGV, spectral_acceleration
-from stayput.fragility.intensity_measures import PERIODS
+from stayput.fragility.intensity_measures import JMA_INTENSITY, PERIODS, PGA, PGV, spectral_acceleration
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.ground_shaking import MERCALLI_SCATTER
 from stayput.motion.intensity import mercalli_rise, pgv_of_mercalli
-from stayput.motion.spectrum import DAMPING
+from stayput.motion.response import DAMPING
 from stayput.motion.units import unit_factor
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.catalogue import Phrase
-    from stayput.fragility import IntensityMeasure
+    from stayput.fragility.intensity_measures import IntensityMeasure
 
 SCATTER_STEPS = 100
 """Into how many steps maps round the scatter of a level."""

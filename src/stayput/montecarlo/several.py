@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.montecarlo.hazard import FloorMotions
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.simulation.piece import Piece
     from stayput.simulation.run import Run
     from stayput.uncertainty import Marginal

@@ -28,9 +28,9 @@ from stayput.uncertainty import QUANTITIES, Uncertainty
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from stayput.contents import Contents
+    from stayput.contents.contents import Contents
     from stayput.measures import Measure
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.simulation.run import Run
 
 OF_A_LONE_PIECE = ("initial", "everyday", "measures", "contents")

@@ -10,7 +10,6 @@ from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
 from stayput.building.model import MOST_STOREYS
 from stayput.catalogue import phrase
 from stayput.errors import InputError, not_allowed, within
-from stayput.motion import Motion, near_fault, sine
 from stayput.motion.floors import of_the_ground
 from stayput.motion.ground_shaking import (
     EarthquakeSource,
@@ -25,9 +24,11 @@ from stayput.motion.ground_shaking import (
 from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.readers import read_shaking, read_vertical
 from stayput.motion.readers.columns import MOST_SKIPPED, OPTIONS, chosen_columns
+from stayput.motion.record import Motion
 from stayput.motion.suites.families import FAMILIES
 from stayput.motion.suites.suite import Suite, read_suite
 from stayput.motion.suites.synthesis import MIXED, synthetic_suite
+from stayput.motion.synthetic import near_fault, sine
 from stayput.scenario.fields import (
     NAME,
     NUMBER,

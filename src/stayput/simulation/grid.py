@@ -25,7 +25,7 @@ from stayput.model.flat_fields import (
 )
 from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.model.state import refuse_bad_start
-from stayput.motion import Motion
+from stayput.motion.record import Motion
 from stayput.simulation.case import Case, law_number
 
 if TYPE_CHECKING:

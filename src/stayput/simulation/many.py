@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.simulation.case import Case
     from stayput.simulation.grid import CaseBlock, Grid
     from stayput.simulation.space_engine import SpaceShaking

@@ -12,7 +12,6 @@ from stayput.catalogue import phrase
 from stayput.errors import (
     InputError,
     instance_of,
-    kinetic_above_static,
     list_of,
     not_allowed,
     numbers,
@@ -330,6 +329,4 @@ def friction_between(friction: object) -> tuple[float, float]:
     called = phrase("simulation.friction")
     values = numbers(called, friction, "friction", count=2)
     static, kinetic = (within(called, value, *FRICTION_RANGE, "", "friction") for value in values)
-    if kinetic > static:
-        raise kinetic_above_static("simulation.kinetic_friction", kinetic, static, "friction")
-    return static, kinetic
+    return static, within("simulation.kinetic_friction", kinetic, 0.0, static, field="friction")

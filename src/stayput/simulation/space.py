@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from stayput.measures.measure import Held
     from stayput.model.room import Floor, Room
     from stayput.model.state import State
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.simulation.groups import Group
     from stayput.simulation.placing import Placed
     from stayput.simulation.scene import Joint, Scene

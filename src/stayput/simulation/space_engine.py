@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
 
 DEEPEST = 1e-6
 """How deep a body may begin inside another or a plane, by rounding [m]."""

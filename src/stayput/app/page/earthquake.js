@@ -37,7 +37,7 @@ export function build(container, { get, set, presets, scene }) {
   const number = (name, also) => slider({ label: t(name), ...numberOf(presets, name), ...also });
   const way = choice({
     label: t("knownBy"),
-    options: WAYS.map((id) => ({ id, label: t(SINGLE.includes(id) ? id : `by_${id}`) })),
+    options: WAYS.map((id) => ({ id, label: t(id) })),
     changed: (id) => set(structuredClone(FIRST[id])),
   });
   const fields = {
