@@ -76,7 +76,10 @@ def test_a_scene_in_python_runs_as_its_file() -> None:
     ("scene", "told"),
     [
         ({"pieces": PIECES}, "against is given without a [plan]; it must be left out"),
-        ({"pieces": PIECES[::-1], "plan": PLAN}, "on is 'bookcase', which names no piece"),
+        (
+            {"pieces": PIECES[::-1], "plan": PLAN},
+            "on is 'bookcase'; it must be the name of a piece given before",
+        ),
         ({"pieces": [PIECES[0], replace(PIECES[1], at=(0.5, 0.0, 0.0))], "plan": PLAN}, "must be a place on"),
         ({"pieces": [sp.Piece(BOX, against="left_wall")], "plan": PLAN}, "along is missing"),
         ({"pieces": [sp.Piece(BOX, name="a"), sp.Piece(BOX, name="a")]}, "Two are named 'a'"),

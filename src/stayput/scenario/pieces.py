@@ -15,7 +15,7 @@ from stayput.model.body import Body
 from stayput.model.parameters import SIZE_RANGE, parameters
 from stayput.model.room import WALLS_AROUND
 from stayput.scenario.fields import Table, Text, ValueTable, between, checked, fields_of, named, one_of
-from stayput.scenario.measures import SingleChoice, of_known_type
+from stayput.scenario.measures import SingleChoice
 from stayput.scenario.tables import Heading, Kind, Loads, usual_of
 from stayput.simulation.piece import BEHIND, Piece
 from stayput.simulation.scene import STRENGTH_RANGE, Joint
@@ -86,7 +86,7 @@ class PieceTable(ValueTable):
     gap: Annotated[float, between(0.0, 100.0, "m")] = Field(
         default=BEHIND, description="Between its back and that wall."
     )
-    measures: Annotated[MeasuresInPlace | None, of_known_type("furniture.measures", nested=True)] = Field(
+    measures: MeasuresInPlace | None = Field(
         default=None,
         description="Measures that hold it, each a table with its type: those of a preset or a box.",
     )
@@ -104,9 +104,10 @@ class PieceTable(ValueTable):
         if self.against is None and (both := [*filter(self.says, others)]):
             raise InputError("scenario.needs_both", f"furniture.{both[0]}", other="furniture.against")
         if self.on is not None and len(self.at) == 3:
-            raise InputError("scenario.on_and_height", "furniture.at", name=self.title)
+            raise InputError("scenario.only_one", "furniture.at[2]", other="furniture.on")
         if self.measures is not None and not self.is_furniture:
-            raise InputError("scenario.measures_on_solid", "furniture.measures", name=self.title)
+            where = phrase("scenario.of_a_solid")
+            raise InputError("common.left_out", "furniture.measures", where=where)
         checked("furniture", lambda: refuse_conflicts(in_place(self.measures)))
         return self
 
@@ -118,7 +119,8 @@ class PieceTable(ValueTable):
             raise InputError("scenario.one_shape", "furniture", name=self.title)
         for key in () if self.preset else ("width", "height", "mass"):
             if getattr(self, key) is None and (self.is_furniture or key == "mass"):
-                raise InputError("scenario.no_preset", f"furniture.{key}", preset="preset")
+                allowed = phrase("scenario.without_preset")
+                raise InputError("scenario.missing", f"furniture.{key}", allowed=allowed)
         if not self.is_furniture:
             return
         for key in ("cg_offset", "inertia") if self.shelves else ():
@@ -217,7 +219,7 @@ class OptionTable(Table):
 
     name: Text = Field(description="What it is called.")
     joined: bool = Field(default=True, description="Whether the joints of the file are in place.")
-    measures: Annotated[dict[str, MeasuresInPlace], of_known_type("options.measures", nested=True)] = Field(
+    measures: dict[str, MeasuresInPlace] = Field(
         default={}, description="The measures on each piece, by its name: tables with their types."
     )
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Self
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
-from stayput.errors import InputError, no_length
+from stayput.errors import InputError, no_length, word_of
 from stayput.model.floor_plan import MOST_PLACES, Door, FloorPlan, Window
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import WALLS_AROUND, Room
@@ -102,9 +102,8 @@ class SceneTables(FromFile):
             raise error.about("kinetic_friction") from None
         for number, joint in enumerate(self.joints):
             for key in ("first", "second"):
-                if getattr(joint, key) not in names:
-                    value = repr(getattr(joint, key))
-                    raise InputError("scenario.no_such_piece", f"joints[{number}].{key}", value=value)
+                name = f"joints[{number}].{key}"
+                word_of(name, getattr(joint, key), names, name)
         self._joints()
         return self
 

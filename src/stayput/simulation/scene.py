@@ -13,8 +13,8 @@ from stayput.catalogue.names import PIECES_OF_RUNS
 from stayput.errors import (
     InputError,
     instance_of,
-    kinetic_above_static,
     list_of,
+    not_allowed,
     numbers,
     whole_within,
     within,
@@ -133,7 +133,7 @@ def refuse_places(
     for number, (on, against, along) in enumerate(stated):
         key = f"pieces[{number}]"
         if on is not None and on not in names[:number]:
-            raise InputError("scenario.stands_on", f"{key}.on", value=repr(on))
+            raise not_allowed(f"{key}.on", repr(on), "scenario.given_before", f"{key}.on")
         if against is not None and not in_plan:
             where = phrase("rooms.against_without_plan")
             raise InputError("common.left_out", f"{key}.against", where=where)
@@ -334,6 +334,4 @@ def friction_between(friction: object) -> tuple[float, float]:
     called = phrase("simulation.friction")
     values = numbers(called, friction, "friction", count=2)
     static, kinetic = (within(called, value, *FRICTION_RANGE, "", "friction") for value in values)
-    if kinetic > static:
-        raise kinetic_above_static("simulation.kinetic_friction", kinetic, static, "friction")
-    return static, kinetic
+    return static, within("simulation.kinetic_friction", kinetic, 0.0, static, field="friction")
