@@ -98,7 +98,7 @@ def test_a_piece_against_a_wall_faces_into_the_room(wall: str, facing: tuple[flo
         ({"places": [{"kind": "bed", "at": [2.0, 1.9], "low": 0.8}]}, "must be more than low"),
         ({"places": [{"at": [1.4, 1.9]}, {"at": [2.6, 1.9]}]}, "Two are named 'bed'"),
         ({"doors": [{"wall": "right_wall", "start": 2.2}]}, "must be at most 2.7 m"),
-        ({"doors": [{"wall": "left_wall", "start": 0.2}]}, "left_wall"),
+        ({"doors": [{"wall": "back_wall", "start": 0.2}]}, "back_wall"),
         ({"room": {"left_wall": {"gap": 0.1}}}, "left_wall"),
         ({"plan": {"width": 31.0, "length": 3.0}}, "must be a number between 0.5 and 30 m"),
         ({"room": {"ceiling": {"height": 1.5}}}, "'bookcase' is 1.8 m high"),
