@@ -160,9 +160,9 @@ def test_a_scenario_file_of_several_pieces_is_read(client: httpx.Client) -> None
     assert names == answer["pieces"]
     one = client.post("/api/v1/scenario/read", json={"toml": '[furniture]\npreset = "chest"'}).json()
     assert one == {"scene": {"furniture": {"preset": "chest"}}, "pieces": []}
-    building = '[shaking]\nbuiltin = "near-fault"\nstorey = 2\nbuilding = { storeys = 3, structure = "S" }'
-    called = client.post("/api/v1/scenario/read", json={"toml": f"{TEXT}\n{building}"}).json()["scene"]
-    assert called["shaking"]["building"]["structure"] == "steel"  # as the fields of the page know it
+    upstairs = f'{TEXT}\nstorey = 2\nbuilding = {{ storeys = 3, structure = "S" }}'
+    scene = client.post("/api/v1/scenario/read", json={"toml": upstairs}).json()["scene"]
+    assert scene["shaking"]["building"]["structure"] == "steel"  # as the fields of the page know it
 
 
 def test_pieces_that_are_refused(client: httpx.Client) -> None:
