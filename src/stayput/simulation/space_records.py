@@ -137,10 +137,17 @@ def _add(body: Any, solid: Solid, floor: np.void, lists: tuple[list[Any], ...]) 
     points, rims, faces, loops, edges = lists
     moments, axes = solid.principal
     about = solid.centre_of_gravity
-    back, front = (
-        tuple(float(floor[f"{side}_edge_{kind}_friction"]) for kind in ("static", "kinetic"))
-        for side in ("left", "right")
-    )
+
+    def friction(side: str) -> list[float]:
+        """Return an edge's own static and kinetic friction: nan, or that of all edges for one of both."""
+        own, usual = (
+            [float(floor[f"{edge}_{kind}_friction"]) for kind in ("static", "kinetic")]
+            for edge in (f"{side}_edge", "edge")
+        )
+        given = not np.isnan(own).all()
+        return [other if given and math.isnan(mu) else mu for mu, other in zip(own, usual, strict=True)]
+
+    back, front = friction("left"), friction("right")
 
     def in_axes(place: NDArray[np.float64]) -> NDArray[np.float64]:
         return (place - about) @ axes
