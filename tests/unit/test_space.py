@@ -25,7 +25,6 @@ def refused(bodies: Any, room: sp.Room | None = None, **given: Any) -> sp.InputE
     return caught.value
 
 
-@pytest.mark.parametrize("solid", [BOX, DRUM])
 def test_an_edge_takes_from_the_others_what_is_not_said_of_it() -> None:
     body = sp.Body(width=0.4, height=1.2, mass=80.0, length=0.8)
 
@@ -43,6 +42,7 @@ def test_an_edge_takes_from_the_others_what_is_not_said_of_it() -> None:
     assert slide(left_edge_kinetic_friction=0.1) > 2.0 * bare
 
 
+@pytest.mark.parametrize("solid", [BOX, DRUM])
 def test_a_body_that_begins_in_the_floor_or_the_ceiling(solid: sp.Body) -> None:
     sunk = [sp.Piece(solid), sp.Piece(solid, at=(2.0, 0.0, -0.02))]
     assert refused(sunk).told("en") == ("pieces[1] begins 0.02 m inside the floor; it must begin outside it.")
