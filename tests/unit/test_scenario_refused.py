@@ -174,10 +174,10 @@ BESIDE_A_LONE_PIECE: list[tuple[dict[str, Any], str]] = [
     ({"room": {"walls": "concrete"}}, "room.walls is given without plan"),
 ]
 BESIDE_PIECES: list[tuple[dict[str, Any], str]] = [
-    ({"initial": {"tilt": 0.1}}, "initial is given where furniture is more than one preset or box"),
-    ({"everyday": {"drawers": 1}}, "everyday is given where furniture is more than one preset or box"),
-    ({"contents": {}}, "contents is given where furniture is more than one preset or box"),
-    ({"measures": [{"type": "belt"}]}, "measures is given where furniture is more than one preset or box"),
+    ({"initial": {"tilt": 0.1}}, "initial is given where furniture is not a single preset or box"),
+    ({"everyday": {"drawers": 1}}, "everyday is given where furniture is not a single preset or box"),
+    ({"contents": {}}, "contents is given where furniture is not a single preset or box"),
+    ({"measures": [{"type": "belt"}]}, "measures is given where furniture is not a single preset or box"),
     ({"dimensions": 2}, "dimensions is 2; it must be 3"),
     (
         {"uncertainty": {"installation": 0.5}},
@@ -209,9 +209,13 @@ def test_one_reader_takes_every_file(tmp_path: Path) -> None:
         False,
     ]
     done = cli("verify", EXAMPLES / "television.toml", "--curves", tmp_path / "out")
-    assert done.stderr.startswith("--curves is given with a file of several pieces")
+    assert done.stderr.startswith("--curves is given where furniture is not a single preset or box")
     with pytest.raises(sp.InputError, match="furniture is a list of pieces"):
         sp.read_scenario(EXAMPLES / "television.toml").case()
+    drum = tmp_path / "drum.toml"
+    drum.write_text("[furniture]\ndiameter = 0.5\nheight = 1.6\nmass = 250.0\n")
+    for flags in (("--curves", tmp_path / "out"), ("--measure", "belt")):
+        assert cli("verify", drum, *flags).stderr.startswith(f"{flags[0]} is given where furniture is not")
 
 
 def test_a_table_in_a_room_is_a_list_of_one() -> None:
