@@ -107,7 +107,7 @@ def both_print(file: Path) -> str:
         (joint(slack=0.1), "In [joints[0]]: A joint at one point has a slack of 0.1 m"),
         (joint(second="chest"), "In [joints[0]]: A joint joins 'chest' to itself"),
         (joint(at=[0.0, 0.0, 9.0]), "joints[0] holds 'chest' at a point 8.75 m from its centre of gravity"),
-        ({"static_friction": 0.1}, "Kinetic friction between bodies is 0.3; it must not be above"),
+        ({"static_friction": 0.1}, "kinetic_friction is 0.3; it must not be above"),
         ({"shaking": {"record": "none.csv"}}, "In [shaking]: The motion file"),
         (piece(2, at=[0.1, 0.0]), "'chest' and 'vase' begin 0.15 m inside each other"),
         (piece(2, at=[2.0, 0.0, -0.1]), "'vase' begins 0.1 m inside the floor"),
@@ -171,10 +171,10 @@ BESIDE_A_LONE_PIECE: list[tuple[dict[str, Any], str]] = [
     ({"room": {"walls": "concrete"}}, "room.walls is given without plan"),
 ]
 BESIDE_PIECES: list[tuple[dict[str, Any], str]] = [
-    ({"initial": {"tilt": 0.1}}, "initial is given where furniture is more than one preset or box"),
-    ({"everyday": {"drawers": 1}}, "everyday is given where furniture is more than one preset or box"),
-    ({"contents": {}}, "contents is given where furniture is more than one preset or box"),
-    ({"measures": [{"type": "belt"}]}, "measures is given where furniture is more than one preset or box"),
+    ({"initial": {"tilt": 0.1}}, "initial is given where furniture is not one preset or box"),
+    ({"everyday": {"drawers": 1}}, "everyday is given where furniture is not one preset or box"),
+    ({"contents": {}}, "contents is given where furniture is not one preset or box"),
+    ({"measures": [{"type": "belt"}]}, "measures is given where furniture is not one preset or box"),
     ({"dimensions": 2}, "dimensions is 2; it must be 3"),
     (
         {"uncertainty": {"installation": 0.5}},
@@ -207,7 +207,7 @@ def test_one_reader_takes_every_file(tmp_path: Path) -> None:
     ]
     done = cli("verify", EXAMPLES / "television.toml", "--curves", tmp_path / "out")
     assert done.stderr.startswith("--curves is given with a file of several pieces")
-    with pytest.raises(sp.InputError, match="furniture is a list of pieces"):
+    with pytest.raises(sp.InputError, match="furniture must here be one preset or box"):
         sp.read_scenario(EXAMPLES / "television.toml").case()
 
 

@@ -62,8 +62,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "計算結果に{value}という物体はありません。物体は{allowed}です。",
     ),
     "several": (
-        "The run has several pieces; name one, as in run[0].peak_tilt. Its pieces are {allowed}.",
-        "計算結果には複数の物体があります。run[0].peak_tiltのように1つを指定してください。物体は{allowed}です。",
+        "The run has several pieces; name one, as in {example}. Its pieces are {allowed}.",
+        "計算結果には複数の物体があります。{example}のように1つを指定してください。物体は{allowed}です。",
     ),
     "no_body": (
         "What moved is a solid and has no body of furniture.",

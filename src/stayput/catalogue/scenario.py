@@ -18,6 +18,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "table_with_type": ("a table with type", "typeのあるテーブル"),
     "one_of_tables": ("a table with type or combine", "typeかcombineのあるテーブル"),
     "or": (" or ", "、または"),
+    "like_that": ("like that", "前記と同じもの"),
     "one_of": ("one of {names}", "{names}のいずれか"),
     "whole_number": ("a whole number between {low:g} and {high:g}{unit}", "{low:g}～{high:g}{unit}の整数"),
     "number": ("a number between {low:g} and {high:g}{unit}", "{low:g}～{high:g}{unit}の数値"),
@@ -46,20 +47,20 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "on_and_height": (
-        "The piece {name!r} stands on another and has a height in at; give x and y alone.",
-        "家具{name!r}は他の家具の上に置かれ、atに高さもあります。xとyだけを指定してください。",
+        "{name} has a height of {value:g} m; what stands on another piece must have x and y alone.",
+        "{name}に高さ（{value:g} m）が指定されています。他の家具の上に置く物にはxとyだけを指定してください。",
     ),
     "stands_on": (
         ("{name} is {value}, which names no piece before it; a piece stands on one that is given before."),
         "{name}が{value}になっていますが、それより前にその名前の家具がありません。",
     ),
     "no_such_piece": (
-        "{name} is {value}, which names no piece of the file.",
+        "{name} is {value}, which names no piece.",
         "{name}が{value}になっていますが、その名前の家具がありません。",
     ),
     "of_several": (
-        "furniture is a list of pieces, stands in a [plan], or is no box; here it must be one preset or box, written as [furniture].",
-        "furnitureが家具のリスト、[plan]のある部屋、または直方体以外の形になっています。ここでは[plan]なしの[furniture]（presetか直方体）にしてください。",
+        "furniture must here be one preset or box written as [furniture], without [plan].",
+        "furnitureは、ここでは[plan]なしの[furniture]（presetか直方体）にしてください。",
     ),
     "measures_on_solid": (
         "The piece {name!r} has measures; what they hold must be a preset or a box.",
@@ -70,7 +71,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{path!r}というキーはありません。room.left_wall.gapやjoints[0].strengthのように指定してください。",
     ),
     "installed_well": ("'well' or left out, for several pieces", "複数の家具では'well'（または省略）"),
-    "of_a_lone_piece": ("where furniture is more than one preset or box", "家具1つ（[plan]なし）以外"),
+    "of_a_lone_piece": (
+        "where furniture is not one preset or box written as [furniture], without [plan]",
+        "[plan]なしの[furniture]（presetか直方体）以外",
+    ),
     "of_pieces": ("for one piece, not a list: [[furniture]]", "リスト（[[furniture]]）ではない1つの家具"),
     "pieces_in_the_plane": ("3 or left out, unless one box stands alone", "直方体1つ以外では3（または省略）"),
     "sweep_of_a_case": ("for a sweep of a scenario, not of a Case", "シナリオのsweep"),

@@ -203,10 +203,10 @@ _TABLES: dict[str, tuple[str, Callable[[Any], Any]]] = {
 _TEXTS = {f"shaking.{name}" for name in ("record", "across", "component", "unit", "columns", "location")}
 """Keys of texts that may look like numbers."""
 
-_KEY = re.compile(r"[^.\[\]=\s]+(?:\[\d{1,4}\])*(?:\.[^.\[\]=\s]+(?:\[\d{1,4}\])*)*")
+_KEY = re.compile(r"[^.\[\]=\s]+(?:\[\d{1,4}\])*(?:\.[^.\[\]=\s]+(?:\[\d{1,4}\])*)*", re.ASCII)
 """A key of a scenario as refusals write it: ``shaking.pga``, ``furniture[1].mass``."""
 
-_STEP = re.compile(r"\[(\d+)\]|([^.\[\]]+)")
+_STEP = re.compile(r"\[(\d+)\]|([^.\[\]]+)", re.ASCII)
 
 
 def _settings(said: FlagValues, motion_flag: str) -> Iterator[tuple[str, str, Any]]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Unpack, cast
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, list_of
+from stayput.errors import InputError, instance_of, list_of, word_of
 from stayput.execution import Pool
 from stayput.measures.element import utilisation
 from stayput.mechanics.devices.columns import HOLDS
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
-_PART = re.compile(r"([^\[\]]+)(?:\[(\d+)\])?")
+_PART = re.compile(r"([^\[\]]+)(?:\[([0-9]+)\])?")
 """A part of a path: a key, and which item of its list; without that, all items."""
 
 ABOUT = {column.name: column for column in QUANTITIES}
@@ -85,6 +85,8 @@ def sweep(case: Case | Scenario, axes: Mapping[Any, Any], **options: Unpack[Swee
     0.5           False  False  True
     """
     instance_of("case", case, (Case, Scenario))
+    for name in options:
+        word_of("option", name, SweepOptions.__annotations__)
     if isinstance(case, Case):
         return sweep_case(case, axes, **options)
     return _sweep_scenario(case, axes, **options)
@@ -101,7 +103,7 @@ def _sweep_scenario(
     import xarray as xr
 
     for name, value in of_a_case.items():
-        if value or name not in SweepOptions.__annotations__:
+        if value or value == 0:
             raise InputError("common.left_out", name, where=phrase("scenario.sweep_of_a_case"))
     lists: dict[str, list[Any]] = {}
     instance_of("axes", axes, Mapping)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputWarning, warn, within
+from stayput.errors import InputWarning, warn
 from stayput.measures.element import device_results
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import DEVICE, NONE
@@ -55,11 +55,6 @@ def warn_of_settlement(scene: Scene) -> None:
         warn(InputWarning("simulation.settles", value=settlement))
 
 
-def checked_step(step: float | None) -> float:
-    """Return a longest step [s], or raise `InputError`."""
-    return STEP if step is None else within("simulation.step", step, 1e-6, 0.01, "s", "step")
-
-
 def simulate_scene(scene: Scene, motion: Motion, gravity: float, step: float | None = None) -> Run:
     """Simulate a scene in space; see `stayput.simulate`.
 
@@ -68,7 +63,7 @@ def simulate_scene(scene: Scene, motion: Motion, gravity: float, step: float | N
     """
     scene.refuse_wrong_places()
     warn_of_settlement(scene)
-    traced = trace_scene(scene, SpaceShaking.of(motion), GRAVITY.check(gravity), checked_step(step))
+    traced = trace_scene(scene, SpaceShaking.of(motion), GRAVITY.check(gravity), step or STEP)
     run = run_of_trace(traced, scene.joints, scene.around, motion)
     return replace(run, names=scene.names, plan=scene.plan)
 
