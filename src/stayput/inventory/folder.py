@@ -120,7 +120,7 @@ def input_digest(name: str, path: Path) -> str:
             what = phrase("inventory.the", what=called(name))
             raise not_allowed(what, repr(str(path)), "inventory.not_a_file")
         return digest_of(path)
-    except OSError as error:
+    except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
         raise unreadable(path, error) from None
 
 

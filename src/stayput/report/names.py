@@ -24,7 +24,7 @@ _NAMES = {
     **SURFACES,
 }
 
-_PIECES_OF_RUNS = {**PIECES, "body": phrase("runs.body"), ANY_PIECE[0]: ANY_PIECE}
+_PIECES_OF_RUNS = {**PIECES, "piece": phrase("runs.piece"), ANY_PIECE[0]: ANY_PIECE}
 
 _MADE = (
     ("report.sine", re.compile(r"sine (?P<values>.+)")),

@@ -124,7 +124,7 @@ class PieceTable(ValueTable):
     @property
     def title(self) -> str:
         """What the piece is called."""
-        return self.name or self.preset or "body"
+        return self.name or self.preset or "piece"
 
     @property
     def is_furniture(self) -> bool:

@@ -462,5 +462,5 @@ class Run(InNetcdf):
 
 
 def default_names(count: int) -> tuple[str, ...]:
-    """Return what pieces are called that nobody named: "body", or "body 1" and so on."""
-    return ("body",) if count == 1 else tuple(f"body {number}" for number in range(1, count + 1))
+    """Return what pieces are called that nobody named: "piece", or "piece 1" and so on."""
+    return ("piece",) if count == 1 else tuple(f"piece {number}" for number in range(1, count + 1))

@@ -196,7 +196,7 @@ class Scene:
 
     def __post_init__(self) -> None:
         pieces = list_of("pieces", self.pieces, Piece)
-        whole_within("simulation.bodies", len(pieces), 1, MOST_BODIES, "", "pieces")
+        whole_within("simulation.pieces", len(pieces), 1, MOST_BODIES, "", "pieces")
         instance_of("room", self.room, Room)
         if self.plan is not None:
             instance_of("plan", self.plan, FloorPlan)
@@ -268,7 +268,7 @@ class Scene:
                     values |= {f"low_{letter}": float(low[axis]), f"high_{letter}": float(high[axis])}
                 raise InputError("rooms.in_a_wall", key, **values)
             if low[2] < -DEEPEST:
-                values |= {"body": name, "depth": -float(low[2]), "surface": phrase("simulation.floor")}
+                values |= {"piece": name, "depth": -float(low[2]), "surface": phrase("simulation.floor")}
                 raise InputError("simulation.begins_inside", key, **values)
             if ceiling is not None and high[2] > ceiling.height + 1e-6:
                 values |= {"high": float(high[2]), "height": ceiling.height}

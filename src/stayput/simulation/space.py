@@ -182,7 +182,7 @@ def _traced(
 
     def run(group: Group, held: NDArray[np.void]) -> SpaceTrace:
         world = world_of([solids[body] for body in group], [floors[body] for body in group], planes, between)
-        called = [names[body] for body in group] if len(bodies) > 1 else [phrase("simulation.the_body")]
+        called = [names[body] for body in group] if len(bodies) > 1 else [phrase("simulation.the_piece")]
         return run_world(world, poses[[*group]], held, acceleration, dt, step, gravity, lies, called)
 
     trace = run_in_groups(run, solids, poses, np.concatenate(springs), dt)
