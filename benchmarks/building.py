@@ -18,7 +18,7 @@ from rich.table import Table
 import stayput as sp
 import workload as work
 from ensemble import peak_memory
-from stayput.building import Building
+from stayput.building.building import Building
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -9,8 +9,8 @@ import validation_run
 
 import stayput as sp
 import workload
-from stayput.building import STRUCTURES, Building
-from stayput.motion.spectrum import PERIODS, response_spectrum
+from stayput.building.building import STRUCTURES, Building
+from stayput.motion.response import PERIODS
 from stayput.report.building import plot_building
 from stayput.report.figures import FONT, label_axes, new_figure, plain_log, saved, style
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, INK
@@ -126,7 +126,7 @@ def draw_recorded_floor(response: FloorResponse, storey: int, recorded: sp.Motio
         axis.set_title(peaks, fontsize=FONT - 0.5, color=INK, loc="left")
         axis.set_ylim(-limit, limit)
         axis.tick_params(labelbottom=row == len(shown) - 1)
-        spectrum = response_spectrum(motion)
+        spectrum = motion.spectrum()
         spectra.plot(spectrum.periods, spectrum.sa, color=colour, linestyle=line, linewidth=1.6, label=label)
     label_axes(axes[1], "en", y="plots.acceleration")
     label_axes(axes[-1], "en", x="report.axis_time")
@@ -149,7 +149,7 @@ def market_street(folder: Path) -> str:
     saved(draw_recorded_floor(response, TOP, recorded), folder / "building_market.png")
     computed = response.floor(TOP)
     band = (PERIODS >= 0.1) & (PERIODS <= 8.0)
-    ratio = response_spectrum(computed).sa[band] / response_spectrum(recorded).sa[band]
+    ratio = computed.spectrum().sa[band] / recorded.spectrum().sa[band]
     worst = int(np.abs(np.log(ratio)).argmax())
     rule = ground.pga * (1.0 + 2.0 * (TOP - 1) / TOP)
     found = strongest(recorded, 4.0, 10.0), strongest(recorded, 1.4, 3.0)

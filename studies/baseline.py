@@ -16,7 +16,9 @@ import xarray as xr
 
 from stayput import Suite, synthetic_suite
 from stayput.estimates import kaneko_hayashi_velocity
-from stayput.fragility import JMA_INTENSITY, PFV, Trials, fragility_curve
+from stayput.fragility.curve import fragility_curve
+from stayput.fragility.intensity_measures import JMA_INTENSITY, PFV
+from stayput.fragility.trials import Trials
 from stayput.measures import Held
 from stayput.model.body import FURNITURE, Body
 from stayput.model.parameters import STANDARD_GRAVITY
@@ -37,7 +39,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.montecarlo.sampling import Rows
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
 
 LEVELS: NDArray[np.float64] = np.arange(4.0, 7.61, 0.15)
 """JMA intensities at which every body is run."""

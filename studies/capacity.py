@@ -16,7 +16,9 @@ import xarray as xr
 
 from stayput import Suite, TargetSpectrum, synthetic_suite
 from stayput.estimates import SCATTER, kaneko_hayashi_branch, kaneko_hayashi_median
-from stayput.fragility import FragilityCurve, IntensityMeasure, Trials, fragility_curve
+from stayput.fragility.curve import FragilityCurve, fragility_curve
+from stayput.fragility.intensity_measures import IntensityMeasure
+from stayput.fragility.trials import Trials
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
 from stayput.model.body import FURNITURE, Body
 from stayput.model.flat_fields import case_columns
@@ -34,7 +36,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
 
 CORNERS = (0.2, 0.4, 0.8, 1.6, 3.2)
 """Corner periods of the spectra, from constant acceleration to constant velocity [s]."""

@@ -10,13 +10,13 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from stayput.contents import CONTENTS, Contents
+from stayput.contents.contents import CONTENTS, Contents
 from stayput.contents.spill import spill
 from stayput.measures import LBracket
 from stayput.model.body import Body
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room, Wall
-from stayput.motion import near_fault, sine
+from stayput.motion.synthetic import near_fault, sine
 from stayput.report.palette import INK, MUTED
 from stayput.simulation.case import Case
 from studies.study import PARTLY, YES, Quantity, Study, claim, panels
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike
 
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
 
 BOOKCASE = Body(0.30, 1.80, 200.0)
 CUPBOARD = Body(0.40, 1.80, 100.0)

@@ -22,7 +22,7 @@ from scipy.stats import t
 from stayput.model.body import Body
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room
-from stayput.motion import sine
+from stayput.motion.synthetic import sine
 from stayput.report.palette import INK
 from stayput.simulation.case import Case
 from stayput.simulation.many import simulate_many
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
 
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
 
     Array = NDArray[np.float64]
 

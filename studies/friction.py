@@ -15,7 +15,7 @@ import xarray as xr
 from stayput.model.body import Body
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room
-from stayput.motion import sine
+from stayput.motion.synthetic import sine
 from stayput.report.palette import ALARM, INK
 from stayput.scenario.sweep import sweep
 from stayput.simulation.case import Case
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
 
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
 
 PAPER_BODY = Body(0.5, 1.0, 100.0)
 """The paper's Table 4.1."""

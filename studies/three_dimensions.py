@@ -15,7 +15,8 @@ import pandas as pd
 import xarray as xr
 
 from stayput import Suite, synthetic_suite
-from stayput.fragility import difference, probability
+from stayput.fragility.paired import difference
+from stayput.fragility.probabilities import probability
 from stayput.measures import GelMats, LBracket, TensionPole
 from stayput.model.body import Body
 from stayput.model.parameters import STANDARD_GRAVITY
@@ -35,11 +36,11 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from stayput.fragility import Difference
+    from stayput.fragility.paired import Difference
     from stayput.measures import Measure
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.montecarlo.sampling import DrawTable
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
 
 FAMILIES = ("near-fault", "crustal")
 """Earthquakes with a pulse along x, and some without direction; those of 100 to 300 s are left out."""

@@ -24,7 +24,7 @@ from stayput.model.room import Ceiling, Floor, Room, Wall
 from stayput.montecarlo.hazard import FloorMotions
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
-from stayput.motion import near_fault
+from stayput.motion.synthetic import near_fault
 from stayput.report.palette import ALARM, INK
 from stayput.scenario.option import Option
 from studies.study import Quantity, Study, claim, panels, span
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from stayput.montecarlo.runs import Runs
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
 
 BODIES = {"chest": Body(0.42, 1.365, 81.3), "cupboard": Body(0.40, 1.80, 100.4)}
 """The furniture of the test: a chest of drawers (tansu) and a cupboard; width is its depth."""

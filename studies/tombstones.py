@@ -15,7 +15,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from stayput.fragility import JMA_INTENSITY
+from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
 from stayput.model.body import Body
 from stayput.model.parameters import STANDARD_GRAVITY
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.montecarlo.sampling import DrawTable
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.motion.suites.suite import Suite
 
 SUN = 0.0303

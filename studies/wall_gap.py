@@ -17,7 +17,7 @@ from matplotlib.patches import Polygon
 
 from stayput.model.body import Body
 from stayput.model.room import Floor, Room, Wall
-from stayput.motion import sine
+from stayput.motion.synthetic import sine
 from stayput.report.palette import ALARM, INK
 from stayput.scenario.sweep import sweep
 from stayput.simulation.case import Case
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
 
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.simulation.grid import Axes
 
 RATIO, MASS, DURATION = 0.339, 100.0, 30.0

@@ -12,7 +12,7 @@ import xarray as xr
 from matplotlib.colors import ListedColormap
 from matplotlib.patches import Rectangle
 
-from stayput.motion import near_fault
+from stayput.motion.synthetic import near_fault
 from stayput.report.palette import ALARM, INK
 from stayput.scenario.sweep import sweep
 from stayput.simulation.run import LAWS
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
 
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.simulation.grid import Axes as Columns
 
 Range = tuple[float, float]

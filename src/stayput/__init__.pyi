@@ -2,11 +2,11 @@
 # checkers read it. A name that is added here is public.
 
 from . import measures as measures
-from .building import Building as Building
-from .building import Isolation as Isolation
-from .building import ShearModel as ShearModel
-from .contents import CONTENTS as CONTENTS
-from .contents import Contents as Contents
+from .building.building import Building as Building
+from .building.building import Isolation as Isolation
+from .building.model import ShearModel as ShearModel
+from .contents.contents import CONTENTS as CONTENTS
+from .contents.contents import Contents as Contents
 from .contents.spill import Spill as Spill
 from .contents.spill import spill as spill
 from .errors import InputError as InputError
@@ -20,11 +20,11 @@ from .everyday import Everyday as Everyday
 from .everyday import tip_over as tip_over
 from .fallen import Fallen as Fallen
 from .fallen import intensity_from_fallen as intensity_from_fallen
-from .fragility import FragilityCurve as FragilityCurve
-from .fragility import Trials as Trials
-from .fragility import fragility_curve as fragility_curve
-from .fragility import write_nrml as write_nrml
-from .fragility import write_pelicun as write_pelicun
+from .fragility.curve import FragilityCurve as FragilityCurve
+from .fragility.curve import fragility_curve as fragility_curve
+from .fragility.exports import write_nrml as write_nrml
+from .fragility.exports import write_pelicun as write_pelicun
+from .fragility.trials import Trials as Trials
 from .inventory import assess as assess
 from .measures import MEASURES as MEASURES
 from .measures import Measure as Measure
@@ -41,13 +41,9 @@ from .model.room import Floor as Floor
 from .model.room import Room as Room
 from .model.room import Wall as Wall
 from .model.state import State as State
-from .motion import Motion as Motion
-from .motion import near_fault as near_fault
-from .motion import pulse as pulse
-from .motion import read_motion as read_motion
-from .motion import sine as sine
-from .motion.spectrum import ResponseSpectrum as ResponseSpectrum
-from .motion.spectrum import response_spectrum as response_spectrum
+from .motion.readers import read_motion as read_motion
+from .motion.record import Motion as Motion
+from .motion.response import ResponseSpectrum as ResponseSpectrum
 from .motion.suites.suite import Suite as Suite
 from .motion.suites.suite import read_suite as read_suite
 from .motion.suites.synthesis import synthetic_suite as synthetic_suite
@@ -55,6 +51,9 @@ from .motion.suites.target import TargetSpectrum as TargetSpectrum
 from .motion.suites.target import asce7 as asce7
 from .motion.suites.target import japanese_design as japanese_design
 from .motion.suites.target import read_target as read_target
+from .motion.synthetic import near_fault as near_fault
+from .motion.synthetic import pulse as pulse
+from .motion.synthetic import sine as sine
 from .rooms import ActionPlan as ActionPlan
 from .rooms import RoomVerdict as RoomVerdict
 from .rooms import action_plan as action_plan

@@ -295,15 +295,6 @@ def no_length(field: str = "length") -> InputError:
     return InputError("scenario.missing", field, allowed=phrase("solids.no_length"))
 
 
-def kinetic_above_static(
-    name: str | Phrase, kinetic: float, static: float, field: str | None = None
-) -> InputError:
-    """Return the refusal of a kinetic coefficient of friction above the static one."""
-    return InputError(
-        "common.kinetic_above_static", field, name=_called(name), kinetic=kinetic, static=static
-    )
-
-
 def word_of(name: str | Phrase, value: object, known: Collection[str], field: str | None = None) -> str:
     """Return a word that is one of those known, or raise `InputError`; see `finite`."""
     if not isinstance(value, str) or value not in known:

@@ -17,7 +17,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.special import betaln, gammaln
 
-from stayput.errors import InputError, instance_of, list_of, numbers, whole_within, within
+from stayput.catalogue import phrase
+from stayput.errors import InputError, instance_of, list_of, not_allowed, numbers, whole_within, within
 from stayput.model.body import Body
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Room
@@ -25,6 +26,7 @@ from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_levels
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion.floors import of_the_ground
+from stayput.motion.suites.families import SEED_RANGE
 from stayput.motion.suites.suite import Suite
 from stayput.motion.suites.synthesis import synthetic_suite
 
@@ -197,16 +199,18 @@ def intensity_from_fallen(
         raise InputError("common.empty", "pieces")
     rows = numbers("fragility.level", levels, "levels")
     if rows.ndim != 1 or len(rows) < 3 or not (np.diff(rows) > 0.0).all():
-        raise InputError("fragility.levels_of_fallen", "levels", count=rows.size)
+        name = phrase("common.shape_of", name="levels")
+        raise not_allowed(name, str(rows.shape), "fragility.rising_levels", "levels")
     for end in (rows[0], rows[-1]):
         within("fragility.level", float(end), 0.0, 9.0, "", "levels")
     spread = within("fragility.scatter", scatter, 0.0, 1.0, "", "scatter")
-    count, number = _count("samples", samples, 1, 10_000), _count("seed", seed, 0, 2**32 - 1)
+    count = _count("samples", samples, 1, 10_000)
+    number = whole_within("common.seed", seed, *SEED_RANGE, field="seed")
     suite = (
         synthetic_suite("crustal", 40, number) if motions is None else instance_of("motions", motions, Suite)
     )
     for motion in suite:
-        of_the_ground(motion, "fallen")
+        of_the_ground(motion, "here")
     drawn = draws(len(suite), count, number)
     cases = [rows_of(kind.body, kind.room, (), drawn, STANDARD_GRAVITY) for kind in kinds]
     hazard = Hazard(suite, vertical=vertical)

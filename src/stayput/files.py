@@ -183,5 +183,5 @@ def check_animation(path: str | Path) -> Path:
     """
     target = check_target(path, ANIMATION_SUFFIXES)
     if target.suffix.lower() == ".mp4" and shutil.which("ffmpeg") is None:
-        raise InputError("model.no_ffmpeg", file=repr(str(target)))
+        raise not_allowed("model.file_to_write", repr(str(target)), "model.without_ffmpeg")
     return target

@@ -176,8 +176,7 @@ def _read(
     except (KeyError, TypeError, ValueError, OverflowError):
         raise InputError("saved.another", "path", file=str(file), kind=kind.__name__) from None
     if written != _FORMAT:
-        code = "saved.newer" if written > _FORMAT else "saved.other_version"
-        raise InputError(code, "path", file=str(file), version=version)
+        raise InputError("saved.other_version", "path", file=str(file), version=version)
     try:
         if _digest(version, data) != digest:
             raise InputError("saved.changed", "path", file=str(file))

@@ -165,13 +165,13 @@ def test_a_verification_is_done_as_a_job(client: httpx.Client) -> None:
     assert names == {"none", "yours", "l_bracket", "anti_slip_sheet"}
     assert [one["rank"] for one in verdict["options"]] == [1, 2, 3, 4]
     without = next(one for one in verdict["options"] if one["name"] == "none")
-    assert without["overturned"]["estimate"] == 1.0
+    assert without["probabilities"]["overturned"]["estimate"] == 1.0
     assert next(one for one in verdict["options"] if one["yours"])["measures"] == own
     for one in verdict["options"]:
         assert one["reason"]["en"]
         assert one["reason"]["ja"]
         assert one["curve"]["observed"]
-        low, share, high = (one["overturned"][key] for key in ("low", "estimate", "high"))
+        low, share, high = (one["probabilities"]["overturned"][key] for key in ("low", "estimate", "high"))
         assert low <= share <= high
     assert verdict["runs"] + verdict["settled_runs"] == job["done"] == job["total"]
     text = client.get(f"/api/v1/jobs/{job['id']}/csv").content.decode("utf-8-sig")
@@ -186,13 +186,13 @@ def test_a_report_has_the_verdict_and_everyday_use_is_told_anew_without_a_run(cl
     scene = {**SCENE, "uncertainty": {"samples": 2}}
     job = finished(client, {"scene": scene, "curves": False})
     assert len(job["result"]["options"]) > 4  # without measures of the user's the usual ones are compared
-    assert job["result"]["options"][0]["curve"] is job["result"]["options"][0]["capacity"] is None
+    assert (job["result"]["options"][0]["curve"], job["result"]["options"][0]["capacities"]) == (None, [])
     where = f"/api/v1/jobs/{job['id']}"
     for language in ("en", "ja"):  # it is kept, and must not be that of the other use
         answer = client.get(f"{where}/report?lang={language}")
         assert answer.headers["content-type"] == "text/html; charset=utf-8"
         assert "attachment" in answer.headers["content-disposition"]
-        assert job["result"]["headline"][language].split("。")[0].split(";")[0][:20] in answer.text
+        assert job["result"]["verdict"][language].split("。")[0].split(";")[0][:20] in answer.text
     other = client.put(f"{where}/everyday", json={"scene": {**scene, "everyday": {"pull": 300.0}}})
     assert other.status_code == 200, other.text
     again = client.get(where).json()["result"]

@@ -72,11 +72,11 @@ def test_measures_that_do_not_fit_have_values_and_names_in_the_sentence(client: 
     assert problem["field"] == "measures"
     assert (
         problem["message"]
-        == "The gap to the wall is 0.4 m; for “Screwed L-brackets” it must be at most 0.15 m."
+        == "The gap to the wall for “Screwed L-brackets” is 0.4 m; it must be between 0 and 0.15 m."
     )
     assert (
         problem["message_ja"]
-        == "家具と壁のすき間が0.4 mあります。「L型金具（ねじ留め）」を使うには0.15 m以下にしてください。"
+        == "「L型金具（ねじ留め）」のための家具と壁のすき間が0.4 mになっています。0～0.15 mにしてください。"
     )
 
 

@@ -16,7 +16,7 @@ from test_api_space import PIECES
 from stayput.app import downloads
 from stayput.app import running as scene_runs
 from stayput.app.limits import Limits
-from stayput.app.running import pieces_run
+from stayput.app.running import runs_of
 from waiting import PATIENCE, wait_until
 
 if TYPE_CHECKING:
@@ -72,14 +72,14 @@ def test_several_pieces_are_given_up_when_their_client_leaves(
     """They would take for ever: only a run that is given up ends them."""
     begun = threading.Event()
 
-    def run(scenario: Scenario) -> Run:
+    def run(scenario: Scenario, *_: object) -> list[Run]:
         begun.set()
-        while not (found := pieces_run(scenario)).given_up:
+        while not (found := runs_of(scenario))[0].given_up:
             pass
         return found
 
-    monkeypatch.setattr(scene_runs, "pieces_run", run)
-    monkeypatch.setattr(downloads, "pieces_run", run)
+    monkeypatch.setattr(scene_runs, "runs_of", run)
+    monkeypatch.setattr(downloads, "runs_of", run)
     body = json.dumps({"scene": PIECES}).encode()
     with running() as server, client_of(server) as client:
         with connected(server) as connection:

@@ -253,9 +253,9 @@ def test_what_is_not_known_is_no_chance_of_zero(browser: Browser, server: Runnin
         answer = route.fetch()
         found: dict[str, Any] = answer.json()
         if found.get("result"):
-            found["result"]["intensity"] = None
+            found["result"]["jma_intensity"] = None
             for option in found["result"]["options"]:
-                option["overturned"] |= {"estimate": None, "low": 0.0, "high": 1.0}
+                option["probabilities"]["overturned"] |= {"estimate": None, "low": 0.0, "high": 1.0}
                 for seen in (option["curve"] or {"observed": []})["observed"]:
                     seen["estimate"] = None
         route.fulfill(response=answer, json=found)

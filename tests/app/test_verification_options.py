@@ -9,7 +9,7 @@ import pytest
 from stayput.app.limits import Limits
 from stayput.app.refusals import RefusedError
 from stayput.app.verification import runs_of, with_options
-from stayput.contents import Contents
+from stayput.contents.contents import Contents
 from stayput.scenario import Scenario
 from stayput.scenario.option import YOURS
 from stayput.verification.contents import MOTIONS, runs_of_contents

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from stayput.errors import InputError, warnings_to
-from stayput.motion import Motion, read_motion
+from stayput.motion.readers import read_motion
 from stayput.motion.units import ACCELERATION_UNITS
 
 SHAKING = {"NS": [0.0, 1.0, -2.0, 0.5], "EW": [0.25, -1.0, 1.5, 0.0], "UD": [0.0, 0.5, 0.25, -0.75]}
@@ -21,7 +21,7 @@ def file(tmp_path_factory):
     return tmp_path_factory.mktemp("headings") / "record.csv"
 
 
-def read(file, text, unit=None) -> Motion:
+def read(file, text, unit=None):
     file.write_text(text, encoding="utf-8")
     with warnings_to(lambda _warning: None):
         return read_motion(file, "NS", unit)

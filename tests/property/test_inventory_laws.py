@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import stayput as sp
-from stayput.fragility import JMA_INTENSITY, spectral_acceleration
+from stayput.fragility.intensity_measures import JMA_INTENSITY, spectral_acceleration
 from stayput.inventory import assess
 from stayput.inventory.cells import number_of, plain
 from stayput.inventory.shakemap import ShakeMap, distances, steps_of

@@ -17,7 +17,8 @@ from hypothesis import strategies as st
 
 from record_files import at2, block, cosmos, csmip_channel, esm, jma, knet, knet_csv
 from stayput.errors import LONGEST_SENTENCE, InputError, warnings_to
-from stayput.motion import Motion, read_motion
+from stayput.motion.readers import read_motion
+from stayput.motion.record import Motion
 
 pytestmark = pytest.mark.hostile
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -50,10 +51,14 @@ def of_poses(
     """Return a run from the poses of the bodies."""
     still, count = np.zeros(place.shape), len(standing)
     gaps, none = (apart(count), apart(count)), np.zeros((count, 3), np.int64)
+    bodies = [SimpleNamespace(piece=piece, held=None) for piece in standing]
+    trace = SimpleNamespace(
+        place=place, gaps=gaps, peak_tilt=np.zeros(count), hit_numbers=none, given_up=False
+    )
     return sp.Run(
         engine="space",
         names=default_names(count),
-        pieces=piece_runs(standing, time, place, attitude, gaps, np.zeros(count), none, [None] * count),
+        pieces=piece_runs(bodies, trace, attitude, time),
         standing=tuple(standing),
         room=ROOM,
         motion=SHAKE,

@@ -40,7 +40,7 @@ def test_one_item_of_a_list() -> None:
     [
         ({"shakin.scale": [1.0]}, "did you mean 'shaking'"),
         ({"joints[5].strength": [1.0]}, "is no key of the file"),
-        ({"title.x": [1.0]}, "is no key of the file"),
+        ({"title.x": [1.0]}, "title is a table; it must be a text"),
         ({"shaking.scale": ["x"]}, "must be a number"),
         ({"shaking.scale": []}, "is empty"),
         ({"shaking.scale": 1.0}, "must be a list"),

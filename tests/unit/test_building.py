@@ -9,7 +9,8 @@ import pytest
 from typer.testing import CliRunner
 
 import stayput as sp
-from stayput.building import STRUCTURES, Building, Isolation, ShearModel
+from stayput.building.building import STRUCTURES, Building, Isolation
+from stayput.building.model import ShearModel
 from stayput.building.modes import ai_distribution, spectral_factor, storey_stiffnesses, weight_above
 from stayput.cli import app
 from stayput.motion.integrals import peak_velocity
@@ -166,7 +167,7 @@ def test_dataset_has_units():
         (lambda: Building(2.5), "whole number"),
         (lambda: Building(period=-1.0), "Building period is -1 s"),
         (lambda: Building(damping=math.nan), "finite"),
-        (lambda: Building(post_yield=0.1, nonlinear=False), "nonlinear"),
+        (lambda: Building(post_yield=0.1, nonlinear=False), "post_yield is given for a linear building"),
         (lambda: Building(structure="base-isolated", period=5.0), "must be below"),
         (lambda: Isolation(damping=0.5, post_yield=0.3), "must be below"),
         (lambda: ShearModel([1.0], [1.0, 2.0], 0.05), "stiffnesses has 2 values; it must have 1"),
@@ -227,8 +228,8 @@ def test_command_writes_and_says_the_same(tmp_path):
         (("plot", "near-fault", "floor.txt", "--building", 10), ".png"),
         (("plot", "near-fault", "floor.png", "--building", 10, "--spectra", 99), "from 1 to 10"),
         (("plot", "near-fault", "floor.png", "--building", 10, "--spectra", "a"), "written like 3,8"),
-        (("plot", "near-fault", "floor.png", "--spectra", 3), "must come with --building"),
-        (("info", "near-fault", "--set", "room.floor=vinyl"), "must set a key of shaking"),
+        (("plot", "near-fault", "floor.png", "--spectra", 3), "--spectra is given without --building"),
+        (("info", "near-fault", "--set", "room.floor=vinyl"), "--set room.floor is given for a motion"),
     ],
 )
 def test_command_refuses_in_one_sentence(arguments, words):

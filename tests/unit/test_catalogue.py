@@ -11,8 +11,7 @@ import pytest
 import stayput
 from stayput.building.building import STRUCTURES
 from stayput.catalogue import TEXTS, names, phrase, say
-from stayput.contents import CONTENTS
-from stayput.contents.contents import DOORS, DRAWERS
+from stayput.contents.contents import CONTENTS, DOORS, DRAWERS
 from stayput.errors import InputError, InputWarning, within
 from stayput.model.body import FURNITURE
 from stayput.model.room import SURFACES

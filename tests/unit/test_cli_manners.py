@@ -12,7 +12,7 @@ from commands import cli
 
 import stayput as sp
 from stayput.cli.flags import words
-from stayput.fragility import INTENSITY_MEASURES
+from stayput.fragility.intensity_measures import INTENSITY_MEASURES
 from stayput.measures import MEASURES
 from stayput.model.room import SURFACES
 from stayput.motion.intensity import CLASSES

@@ -63,7 +63,7 @@ def test_a_vertical_record_is_named_by_the_key_that_it_is_given_for(
     words = ("scene.toml",) if of_file else ("--motion", files["record"])
     done = cli("simulate", *words, "--set", f"shaking.across={files['across']}")
     assert done.exit_code == 2
-    refusal = f"shaking.{key} is '{z.name}', a vertical record ('UP'); it must be a horizontal one."
+    refusal = f"shaking.{key} is '{z.name}' ('UP'); it must be a horizontal record."
     assert done.stderr.splitlines()[-1].endswith(refusal)
 
 

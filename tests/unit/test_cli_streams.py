@@ -98,13 +98,13 @@ def test_one_table_on_standard_output_and_another_in_a_file(here: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
-        (("verify", "scenario.toml", "--csv", "-", "--json"), "--csv and --json both go to standard output"),
-        (("verify", "scenario.toml", "--csv", "-", "--markdown", "-"), "both go to standard output"),
-        (("motion", "info", "-", "--set", "shaking.across=-"), "are both -, standard input"),
-        (("simulate", "-", "--set", "shaking.across=-"), "are both -, standard input"),
+        (("verify", "scenario.toml", "--csv", "-", "--json"), "--csv and --json are both standard output"),
+        (("verify", "scenario.toml", "--csv", "-", "--markdown", "-"), "are both standard output"),
+        (("motion", "info", "-", "--set", "shaking.across=-"), "are both -;"),
+        (("simulate", "-", "--set", "shaking.across=-"), "are both -;"),
         (
             ("simulate", "--motion", "-", "--set", "shaking.across=-"),
-            "--set shaking.across and --motion are both -, standard input",
+            "--set shaking.across and --motion are both -;",
         ),
         (("verify", "scenario.toml", "--report", "-"), ".html"),
         (("simulate", "--plot", "-"), ".png"),

@@ -10,7 +10,9 @@ from typer.testing import CliRunner
 
 from stayput.cli import app
 from stayput.errors import InputWarning
-from stayput.fragility import JMA_INTENSITY, Trials, fragility_curve
+from stayput.fragility.curve import fragility_curve
+from stayput.fragility.intensity_measures import JMA_INTENSITY
+from stayput.fragility.trials import Trials
 from stayput.report import fonts
 from stayput.report.animation import animate_run
 from stayput.report.fragility import plot_fragility

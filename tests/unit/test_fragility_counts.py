@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from stayput import InputError
-from stayput.fragility import difference, probability, samples_needed, wilson
-from stayput.fragility.paired import score_interval
+from stayput.fragility.paired import difference, score_interval
+from stayput.fragility.probabilities import probability, samples_needed, wilson
 
 
 def test_wilson_of_published_counts() -> None:

@@ -11,8 +11,9 @@ from scipy.optimize import minimize
 from scipy.special import ndtr, ndtri
 
 from stayput import InputError
-from stayput.fragility import JMA_INTENSITY, PFV, PGA, PGV, CurveState, Trials, fragility_curve
-from stayput.fragility.trials import pooled
+from stayput.fragility.curve import CurveState, fragility_curve
+from stayput.fragility.intensity_measures import JMA_INTENSITY, PFV, PGA, PGV
+from stayput.fragility.trials import Trials, pooled
 
 LEVELS = np.linspace(5.0, 7.0, 11)
 

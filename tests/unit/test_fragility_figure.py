@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING
 import pytest
 
 from stayput import InputError
-from stayput.fragility import JMA_INTENSITY, PGV, FragilityCurve, IntensityMeasure, Trials, fragility_curve
+from stayput.fragility.curve import FragilityCurve, fragility_curve
+from stayput.fragility.intensity_measures import JMA_INTENSITY, PGV, IntensityMeasure
+from stayput.fragility.trials import Trials
 from stayput.report.fragility import plot_fragility
 
 if TYPE_CHECKING:

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 
 from stayput import InputError
 from stayput.files import name_part
-from stayput.fragility import INTENSITY_MEASURES
 from stayput.fragility.exports import plain_names
+from stayput.fragility.intensity_measures import INTENSITY_MEASURES
 from stayput.report.verdict import exports
 from stayput.scenario.option import Option
 from stayput.spreadsheets import harmless

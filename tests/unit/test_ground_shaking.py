@@ -14,7 +14,7 @@ from stayput.app.refusals import RefusedError
 from stayput.app.running import shaking_reply
 from stayput.app.server import create_app
 from stayput.catalogue import say
-from stayput.fragility import (
+from stayput.fragility.intensity_measures import (
     INTENSITY_MEASURES,
     JMA_INTENSITY,
     MMI,

@@ -204,7 +204,7 @@ def test_a_row_that_is_a_total_is_no_piece(tmp_path, name, header):
     table = f"{header},奥行(mm),高さ(mm),重量(kg),数量\n棚,300,1800,60,2\n{name},300,1800,60,2\n"
     rows, (rejected,), _, _ = read(tmp_path, table)
     assert [row["count"] for row in rows] == [2]
-    assert "the row is a total" in rejected["reason"]
+    assert "and not of a total" in rejected["reason"]
 
 
 def test_a_header_needs_no_unit_where_every_cell_has_one(tmp_path):
@@ -296,10 +296,10 @@ def test_a_comma_may_be_in_the_name_of_a_column():
         ("width", "must be such as width="),
         ("width=", "must be such as width="),
         ("breadth=奥行", "must be one of"),
-        ("width=深さ", "the table has no such column; it has 'id'"),
-        ("width=奥行[?]", "the unit must be one of mm, cm, m, in, ft"),
-        ("width=奥行[kg]", "the unit must be one of mm"),
-        ("height=高さ(cm)[mm]", "the unit must be one of cm"),
+        ("width=深さ", "The column is '深さ'; it must be one of 'id'"),
+        ("width=奥行[?]", "it must be one of 'mm', 'cm', 'm', 'in', 'ft'"),
+        ("width=奥行[kg]", "The unit of width is 'kg'; it must be one of 'mm'"),
+        ("height=高さ(cm)[mm]", "it must be one of 'cm'"),
         ("width=奥行[mm],height=奥行[mm]", "given twice"),
         ("width=奥行[mm],width=高さ", "given twice"),
         ({"width": 3}, "must be such as width="),

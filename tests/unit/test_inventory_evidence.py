@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from inventories import CITY, city, rows_of_results, table
 
-from stayput.fragility import difference
+from stayput.fragility.paired import difference
 from stayput.inventory import assess
-from stayput.inventory.report import UNTOLD, findings_told, printed
+from stayput.inventory.report import UNTOLD, findings_told
 from stayput.inventory.results import Finding, choose, finding_of, least_motions, numbers_of
 from stayput.inventory.store import record_type
 from stayput.inventory.summary import READ, Total
@@ -175,7 +175,7 @@ def test_a_piece_that_never_overturns_needs_no_measure_where_the_runs_can_tell(
         page = done.report(language).read_text(encoding="utf-8")
         assert f'<td class="words">{cell}</td>' in page
         assert sentence in page
-        assert sentence in printed(total, "city", language)[1]
+        assert sentence in findings_told(total, language)
         assert (UNTOLD in page.partition('<div class="maps">')[2]) == (finding == "too_few_runs")
     for name in ("summary.csv", "rejects.csv"):  # by the mark a spreadsheet knows UTF-8
         assert (tmp_path / "out" / name).read_bytes().startswith(b"\xef\xbb\xbf")

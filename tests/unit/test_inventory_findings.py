@@ -66,7 +66,7 @@ def test_a_long_id_is_shortened_in_what_is_said_of_it(tmp_path, length):
             "en",
             [
                 "7 rows (2, 3, 4, 5, 6, …): Column '奥行(mm)': width is missing",
-                "2 rows (10, 11): Column '管理番号': id is 'b', which is that of row 9",
+                "2 rows (10, 11): Column '管理番号': id is 'b'; it must not be that of row 9",
                 "1 row (12): Column '数量': count is 0",
                 "Empty cells: 管理番号 in 2 rows; 数量 in 1 row; 高さ(mm) in 1 row. There a piece is",
                 "tension_pole: not possible. Tension poles need a ceiling",
@@ -78,7 +78,7 @@ def test_a_long_id_is_shortened_in_what_is_said_of_it(tmp_path, length):
             "ja",
             [
                 "7行（2、3、4、5、6、…行目）：列「奥行(mm)」：奥行がありません。",
-                "2行（10、11行目）：列「管理番号」：番号の'b'は9行目と同じです。",
+                "2行（10、11行目）：列「管理番号」：番号が'b'になっていますが、9行目と同じです。",
                 "1行（12行目）：列「数量」：数量が0になっています。",
                 "空のセル：管理番号（2行）、数量（1行）、高さ(mm)（1行）。番号の代わりに品名と行番号",
                 "ポール式（突っ張り棒）：設置できません。",

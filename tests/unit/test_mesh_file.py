@@ -173,7 +173,7 @@ def test_a_ball_with_too_many_corners_is_refused(tmp_path):
     shape = trimesh.creation.icosphere(subdivisions=3, radius=0.3)
     file = tmp_path / "ball.stl"
     shape.export(file)
-    with pytest.raises(InputError, match="has 642 corners; at most 500 are allowed"):
+    with pytest.raises(InputError, match="has 642 corners; it must have at most 500"):
         Body.mesh(file, unit="m", mass=10.0)
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from stayput.errors import InputError
-from stayput.motion import Motion
+from stayput.motion.record import Motion
 
 NOISE = np.random.default_rng(7).normal(size=200)
 
@@ -19,14 +19,14 @@ NOISE = np.random.default_rng(7).normal(size=200)
     [
         ([0.0, math.nan], "finite"),
         ([0.0, math.inf, 1.0], "sample 1"),
-        ([1.0], "2 to"),
-        ([], "2 to"),
-        ([[0.0, 1.0]], "shape"),
+        ([1.0], "between 2 and"),
+        ([], "between 2 and"),
+        ([[0.0, 1.0]], "one row"),
         (["a", "b"], "real numbers"),
         ([1j, 0j], "real numbers"),
         ([True, False], "real numbers"),
         ([0.0, 2e4], "10000"),
-        ([[1.0], [1.0, 2.0]], "not an array"),
+        ([[1.0], [1.0, 2.0]], "one row"),
         (None, "real numbers"),
         (np.ma.masked_array([1.0, 2.0], [False, True]), "gaps"),
     ],
@@ -44,7 +44,7 @@ def test_time_steps_that_are_refused(dt):
 
 @pytest.mark.parametrize("other", ["y", "z"])
 def test_components_are_as_long_as_x(other):
-    with pytest.raises(InputError, match=f"{other} has 3 samples and x has 2"):
+    with pytest.raises(InputError, match=f"{other} has 3 values; it must have 2"):
         Motion(0.01, [0.0, 1.0], **{other: [0.0, 1.0, 0.0]})
 
 
@@ -152,7 +152,7 @@ def test_representation_is_one_short_line():
 
 def test_import_is_light():
     code = (
-        "import sys, stayput.motion as m; m.near_fault(); "
+        "import sys, stayput.motion.synthetic as m; m.near_fault(); "
         "print([n for n in ('obspy', 'numba', 'scipy', 'matplotlib', 'xarray') if n in sys.modules])"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

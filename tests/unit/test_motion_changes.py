@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from stayput.errors import InputError
-from stayput.motion import Motion, sine
+from stayput.motion.record import Motion
+from stayput.motion.synthetic import sine
 
 NOISE = np.random.default_rng(3).normal(size=101)
 THREE = Motion(0.01, NOISE, NOISE[::-1], 0.5 * NOISE, name="three", source="test")

@@ -65,7 +65,7 @@ def test_every_form_says_so_with_the_reason(verdict, language, said):
     columns = {line.count(" | ") for line in text.splitlines() if line.startswith(("| –", "| 1", "| 2"))}
     assert len(columns) == 1
     reply = verdict_reply(verdict)
-    assert [getattr(other.reason, language) for other in reply.not_possible] == [why]
+    assert [other["reason"][language] for other in reply.not_possible] == [why]
     data = json.loads(verdict.to_json())
     (told,) = data["not_possible"]
     assert (told["reason"][language], told["name"], len(data["options"])) == (why, "急なベルト", 2)
@@ -129,9 +129,9 @@ def test_an_inventory_assesses_what_is_possible_and_names_what_is_not(tmp_path):
     assert [option["cost"] for option in fits["options"]] == [0.0, 700.0, 30.0]
     (missing,) = both["not_possible"]
     assert missing["name"] == "tension_pole"
-    assert "Tension poles have 0.01 m below the ceiling" in missing["reason"]
+    assert "The space below the ceiling for “Tension poles” is 0.01 m" in missing["reason"]
     assert [option["name"] for option in one["options"]] == ["none"]
     assert one["not_possible"] == both["not_possible"]
     assert fits["not_possible"] == []
     page = (done.folder / "report.html").read_text(encoding="utf-8").replace("\xa0", " ")
-    assert "tension_pole: not possible. Tension poles have 0.01 m below the ceiling" in page
+    assert "tension_pole: not possible. The space below the ceiling for “Tension poles” is 0.01 m" in page

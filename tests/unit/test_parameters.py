@@ -14,9 +14,9 @@ import pytest
 import stayput as sp
 from stayput.app.presets import NUMBERS
 from stayput.app.server import create_app
-from stayput.building import STRUCTURES, Building, Isolation, ShearModel
-from stayput.building.building import Structure
-from stayput.contents import ContentsKind
+from stayput.building.building import STRUCTURES, Building, Isolation, Structure
+from stayput.building.model import ShearModel
+from stayput.contents.contents import ContentsKind
 from stayput.errors import InputError
 from stayput.mechanics.columns import CASE
 from stayput.model.body import FURNITURE, Part, Preset

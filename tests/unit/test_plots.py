@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from space_runs import falling
 
 import stayput as sp
-from stayput.fragility import JMA_INTENSITY, PGA
+from stayput.fragility.intensity_measures import JMA_INTENSITY, PGA
 from stayput.measures import LBracket
 
 if TYPE_CHECKING:

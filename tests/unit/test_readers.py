@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 from stayput.errors import InputError
-from stayput.motion import Motion, read_motion
 from stayput.motion.channels import Channel, is_direction, is_vertical, motion_fields, plain_label
+from stayput.motion.readers import read_motion
+from stayput.motion.record import Motion
 from stayput.motion.units import ACCELERATION_UNITS, unit_factor
 
 WAVE = np.sin(np.arange(40) * 0.3)
@@ -173,7 +174,7 @@ def test_component_chooses_x_and_the_rest_follows(component, sizes):
 
 @pytest.mark.parametrize("component", ["45", "channel 4", "channel 0", "SN", "180", "", "NS2"])
 def test_no_such_component(component):
-    with pytest.raises(InputError, match=r"no channel of the file; it must be one of EW \(channel 2\), NS"):
+    with pytest.raises(InputError, match=r"The component is .*; it must be one of EW \(channel 2\), NS"):
         motion_of_channels(THREE, component, "test")
 
 

@@ -7,7 +7,7 @@ from contextlib import suppress
 import pytest
 
 from stayput.errors import InputError
-from stayput.motion import read_motion
+from stayput.motion.readers import read_motion
 
 PEER = "PEER STRONG MOTION DATABASE RECORD\nQ, S, 090\nACCELERATION IN UNITS OF G\n"
 CSMIP = " 3 POINTS OF ACCEL DATA EQUALLY SPACED AT .01 SEC. (UNITS: G)\n"

@@ -66,7 +66,7 @@ def test_quoted_cells_and_codings_of_spreadsheets(read, refusal):
         ("20\n" + "0 0.1\n" * 20, {}, "skip_lines passes"),
         ("0\n1e30\n", {"dt": 0.01}, r"sample 1 is 1e\+28 m/s²"),
         ("0 1\n0.02 2\n0.04 3\n", {"dt": 0.01}, r"file states, 0\.02 s"),
-        ("0 1 2 3\n0.01 4 5 6\n", {"component": "NS"}, "'NS' is no channel"),
+        ("0 1 2 3\n0.01 4 5 6\n", {"component": "NS"}, "component is 'NS'; it must be one of"),
         ("0 1\n0.01 2\n", {"location": "00"}, "location is given for a file of columns of numbers"),
     ],
 )

@@ -11,7 +11,8 @@ from html_pages import Page, check_alone, check_readable
 
 from stayput.catalogue import say
 from stayput.errors import InputError
-from stayput.fragility import difference, probability
+from stayput.fragility.paired import difference
+from stayput.fragility.probabilities import probability
 from stayput.measures import Belt
 from stayput.model.floor_plan import rectangle
 from stayput.montecarlo.counting import EVENTS, Quantiles

@@ -15,7 +15,7 @@ from stayput.catalogue import LANGUAGES
 from stayput.fragility.paired import Difference
 from stayput.measures import Belt, LBracket, TensionPole
 from stayput.model.floor_plan import FACING
-from stayput.montecarlo.several import turned
+from stayput.montecarlo.several import DrawOfSeveral, drawn_shaking
 from stayput.report.room.data import room_data
 from stayput.report.room.report import simulations_of_room
 from stayput.rooms import runs as room_runs
@@ -277,6 +277,13 @@ def test_nobody_is_shut_in_where_there_is_no_way_out():
     assert closed.shut_in.estimate == 0.0
 
 
+def test_a_held_piece_with_its_back_on_a_wall_meets_floors_that_lean_either_way():
+    held = piece(gap=0.0, measures=[{"type": "l_bracket"}])
+    verdict = verified(furniture=held, uncertainty={"samples": 24})
+    assert not verdict.pieces[0].in_plane
+    assert verdict.hit.runs == 24
+
+
 def test_a_room_is_simulated_with_all_its_pieces_together():
     run = changed().run()
     assert len(run.pieces) == 2
@@ -286,7 +293,7 @@ def test_a_room_is_simulated_with_all_its_pieces_together():
 
 def test_a_room_is_simulated_under_a_motion_of_its_direction():
     plain, pointing = changed().motion(), changed(direction=0.7).motion()
-    shaking = turned(plain, 1.0, 0.7)
+    shaking = drawn_shaking(plain, 1.0, DrawOfSeveral((), 1.0, 1.0, direction=0.7), 9.8)
     assert plain.y is not None
     assert np.allclose(pointing.x, shaking.acceleration[:, 0])
     assert np.allclose(pointing.y, shaking.acceleration[:, 1])

@@ -14,7 +14,7 @@ import pytest
 import xarray as xr
 
 import stayput as sp
-from stayput.fragility import PGA
+from stayput.fragility.intensity_measures import PGA
 from stayput.measures import Belt, LBracket
 
 if TYPE_CHECKING:
@@ -167,8 +167,8 @@ def of_array(**parts: Any) -> dict[str, Any]:
         (b'{"a":' * 200_000, "holds no FragilityCurve"),
         ({"stayput": "9.0", "value": 3}, "holds no FragilityCurve"),
         (signed(3), "holds no FragilityCurve"),
-        (signed(3, format=3), "9.0, is in a newer format"),
-        (signed(3, format=0), "stayput 9.0, cannot be read"),
+        (signed(3, format=3), "stayput 9.0 wrote it, or be read by that"),
+        (signed(3, format=0), "as save.* of stayput 9.0 wrote it"),
         (signed(3, stayput="banana"), "changed after it was saved"),
         (signed(3, format=1e999), "holds no FragilityCurve"),
         (signed(3, value=4), "changed after it was saved"),

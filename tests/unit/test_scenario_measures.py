@@ -86,7 +86,10 @@ def test_names_that_are_not_given_are_the_types():
         ({"area": 1.0}, r"^measures\[0\].type is missing; it must be one of anti_slip_sheet, "),
         ({"type": ["belt"]}, r"^measures\[0\].type is \['belt'\]; it must be one of"),
         (1.0, r"^measures\[0\] is 1.0; it must be a table with type or combine.$"),
-        ({"type": "belt", "combine": []}, r"^measures\[0\].type is given beside measures\[0\].combine"),
+        (
+            {"type": "belt", "combine": []},
+            r"^measures\[0\].type is unknown; a key of \[measures\[0\]\] must be one of name, combine",
+        ),
         ({"combine": []}, r"^measures\[0\].combine is \[\]; it must be a list of 1 to 20 items"),
         ({"combine": [{"combine": []}]}, r"^measures\[0\].combine\[0\].type is missing"),
         ({"combine": [2]}, r"^measures\[0\].combine\[0\] is 2; it must be a table with type.$"),

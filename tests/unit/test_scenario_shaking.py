@@ -119,7 +119,7 @@ def test_without_the_vertical(tmp_path):
     ("keys", "message"),
     [
         ({"intensity": "6-upper", "scale": 2.0}, r"shaking.scale is given beside shaking.intensity"),
-        ({"suite": "nowhere"}, "no folder"),
+        ({"suite": "nowhere"}, "must be a folder, or a list of files"),
         ({"member": 2}, r"shaking\.member is given without a suite"),
         ({"suite": {"count": 3}, "member": 4}, r"shaking\.member is 4; it must be between 1 and 3"),
         ({"suite": {"family": "crust"}}, r"did you mean 'crustal'"),

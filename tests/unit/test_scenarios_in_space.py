@@ -170,8 +170,8 @@ def test_flags_beside_a_file_of_several_pieces() -> None:
         said = cli("simulate", DRESSER, *flags)
         assert said.exit_code == 2
         assert f"{flags[0]} is given with a file of several pieces" in said.output
-    said = cli("simulate", DRESSER, "--set", "furniture.heading=0.5")
-    assert "furniture is a list of" in said.output
+    said = cli("simulate", DRESSER, "--set", "furniture.mass=0")  # of all pieces; of the first by the place
+    assert "furniture[0].mass is 0" in said.output
 
 
 def test_the_table_of_several_pieces() -> None:

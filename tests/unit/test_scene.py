@@ -76,7 +76,10 @@ def test_a_scene_in_python_runs_as_its_file() -> None:
     ("scene", "told"),
     [
         ({"pieces": PIECES}, "against is given without a [plan]; it must be left out"),
-        ({"pieces": PIECES[::-1], "plan": PLAN}, "on is 'bookcase', which names no piece"),
+        (
+            {"pieces": PIECES[::-1], "plan": PLAN},
+            "on is 'bookcase'; it must be the name of a piece given before",
+        ),
         ({"pieces": [PIECES[0], replace(PIECES[1], at=(0.5, 0.0, 0.0))], "plan": PLAN}, "must be a place on"),
         (
             {"pieces": [sp.Piece(BOX, name="a"), sp.Piece(BOX, name="a")]},
@@ -106,7 +109,7 @@ def test_a_place_is_stated_once() -> None:
         ({"along": 1.0}, "along is given without against"),
         ({"gap": 0.1}, "gap is given without against"),
         ({"against": "left_wall"}, "against is given without along"),
-        ({"on": "chest", "at": (0.0, 0.0, 5.0)}, "at has a height of 5 m"),
+        ({"on": "chest", "at": (0.0, 0.0, 5.0)}, r"at\[2\] is given beside on"),
     ):
         with pytest.raises(sp.InputError, match=message):
             sp.Piece(BOX, **other)
@@ -116,7 +119,7 @@ def test_a_place_is_stated_once() -> None:
         ({"along": 1.0}, "along is given without"),
         ({"gap": 0.1}, "gap is given without"),
         ({"against": "left_wall"}, "against is given without along"),
-        ({"on": "chest", "at": [0.0, 0.0, 0.4]}, "at has a height of 0.4 m"),
+        ({"on": "chest", "at": [0.0, 0.0, 0.4]}, r"at\[2\] is given beside on"),
     ):
         with pytest.raises(sp.InputError, match=message):
             sp.Scenario.parse(

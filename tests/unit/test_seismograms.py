@@ -125,8 +125,8 @@ def test_two_sensors_of_a_station_must_be_chosen(written):
         assert motion.listing.origin.startswith(f"XX.AAA {code or '--'}, ")
         assert sp.read_motion(written(both), "HNE", "gal", location=location) is not None
     error = refusal(both, location="20")
-    assert "The location is '20'; it must be one of those of the station: --, 10." in str(error)
-    assert "ロケーション「20」" in error.told("ja")
+    assert "The location is '20'; it must be one of '--', '10'." in str(error)
+    assert "ロケーションが'20'" in error.told("ja")
 
 
 def test_two_stations_are_refused_by_both_names():
@@ -153,9 +153,9 @@ def test_the_command_line_chooses_unit_and_sensor(written, lang):
 def test_without_obspy_it_is_said_what_to_install(written, monkeypatch):
     file = written(stream())
     monkeypatch.setitem(sys.modules, "obspy", None)
-    with pytest.raises(sp.InputError, match="to read miniSEED: pip install obspy") as refused:
+    with pytest.raises(sp.InputError, match="miniSEED needs ObsPy, which is not installed") as refused:
         sp.read_motion(file, unit="gal")
-    assert "miniSEEDを読むにはObsPyが必要" in refused.value.told("ja")
+    assert "miniSEEDにはObsPyが必要" in refused.value.told("ja")
 
 
 @pytest.mark.parametrize("form", ["MSEED", "SAC"])

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 import stayput as sp
-from stayput.fragility import PGA
+from stayput.fragility.intensity_measures import PGA
 from stayput.measures import LBracket
 
 BODY = sp.Body(0.3, 1.8, 90.0)

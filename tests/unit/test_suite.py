@@ -6,12 +6,13 @@ import numpy as np
 import pytest
 
 from stayput.errors import InputError
-from stayput.motion import Motion, near_fault, sine
+from stayput.motion.record import Motion
 from stayput.motion.suites import synthesis
 from stayput.motion.suites.families import FAMILIES, MIX
 from stayput.motion.suites.suite import Suite, read_suite
 from stayput.motion.suites.synthesis import synthetic_motion, synthetic_suite
 from stayput.motion.suites.target import TargetSpectrum, japanese_design
+from stayput.motion.synthetic import near_fault, sine
 from stayput.report.spectra import plot_suite, suite_title
 
 PERIODS = np.array([0.1, 0.3, 1.0, 3.0])

@@ -189,7 +189,7 @@ def test_histories_are_those_of_single_runs_and_nan_after_the_end():
         ({"room.right_wall.gap": [0.1], "initial.tilt": [0.0, 0.5]}, "Case 1 of 2: The body stands"),
         ({"initial.slide": [0.0, 0.2]}, "inside the wall in front"),
         ({"room.ceiling.height": [2.0, 1.59]}, "inside the ceiling"),
-        ({"body.cg_offset.z": [0.0, 0.9]}, "must lie inside the section"),
+        ({"body.cg_offset.z": [0.0, 0.9]}, "must be inside the section"),
         ({"gravity": [9.8, 0.0]}, "Gravity is 0"),
         ({"room.left_wall.friction": [0.1]}, "left wall that is not there"),
         ({("body.width", "body.height"): ([0.3, 0.4], [1.0])}, "must have as many"),

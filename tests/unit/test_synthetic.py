@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from stayput.errors import InputError
-from stayput.motion import near_fault, pulse, sine
+from stayput.motion.synthetic import near_fault, pulse, sine
 
 
 def test_sine_and_cosine_are_the_closed_form():

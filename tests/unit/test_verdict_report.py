@@ -17,7 +17,10 @@ from verdict_cases import SCENARIO, made
 import stayput as sp
 from stayput.catalogue import names, phrase, runs, say
 from stayput.catalogue.report import TEXTS
-from stayput.fragility import INTENSITY_MEASURES, Trials, fragility_curve, probability
+from stayput.fragility.curve import fragility_curve
+from stayput.fragility.intensity_measures import INTENSITY_MEASURES
+from stayput.fragility.probabilities import probability
+from stayput.fragility.trials import Trials
 from stayput.measures import MEASURES, Belt
 from stayput.model.body import FURNITURE
 from stayput.montecarlo.counting import Quantiles

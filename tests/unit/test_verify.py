@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.fragility import JMA_INTENSITY, PGA
+from stayput.fragility.intensity_measures import JMA_INTENSITY, PGA
 from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED, Member, Quantiles, members
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import Runs

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,7 +16,7 @@ from stayput.catalogue import say
 from stayput.model.room import SURFACES
 from stayput.model.soft_base import rigid_half_base
 from stayput.montecarlo.sampling import draws
-from stayput.montecarlo.several import drawn_scene, draws_of_several
+from stayput.montecarlo.several import drawn_scene, draws_of_several, replay
 from stayput.report.verdict.assumptions import settlement_assumptions
 from stayput.report.verdict.pairs import replay_of_several
 from stayput.scenario import Scenario
@@ -144,10 +145,9 @@ def test_draws_of_a_piece_depend_on_its_name_alone() -> None:
         for sample, draw in enumerate(row):
             assert draw.pieces[1] == others[motion][sample].pieces[1]
             assert draw.pieces[0] != others[motion][sample].pieces[0]
-            shared = {
-                name: getattr(single[motion][sample], name) for name in ("friction", "lean", "wall_gap")
-            }
+            shared = {name: getattr(single[motion][sample], name) for name in ("friction", "wall_gap")}
             assert {name: getattr(draw.room, name) for name in shared} == shared
+            assert (draw.lean, draw.room.lean) == (single[motion][sample].lean, 0.0)
             assert len({piece.mass for piece in draw.pieces}) == 3
             assert len({piece.friction for piece in draw.pieces}) == 1
     stated = draws_of_several("abc", 2, 3, seed=1, as_stated=["mass", "friction"])
@@ -239,6 +239,28 @@ def test_a_verdict(verdict: Verdict) -> None:
     for option in verdict.options:
         falls = [piece.probabilities["overturned"].fell for piece in option.pieces[:2]]
         assert max(falls) <= option.probabilities["overturned"].fell <= sum(falls)
+
+
+def test_a_piece_has_the_runs_that_it_has_alone_in_any_order_with_what_cannot_reach_it() -> None:
+    near, far = box("near", 0.3, 1.2, 30.0), box("far", 0.4, 1.0, 40.0, at=[0.0, 30.0], heading=1.5)
+    options = [option("sheet", "near", "anti_slip_sheet")]
+    verdicts = [
+        sp.verify(parsed(furniture=pieces, joints=[], options=options), progress=False)
+        for pieces in ([near], [near, far], [far, near])
+    ]
+    for each in zip(*(verdict.options for verdict in verdicts), strict=True):
+        runs = [next(piece for piece in option.pieces if piece.name == "near") for option in each]
+        for name in ("overturned", "slid", "hit_wall"):  # a device's failure counts all devices
+            assert len({run.probabilities[name].fell for run in runs}) == 1
+        assert len({(run.slide, run.tilt) for run in runs}) == 1
+
+
+def test_a_run_made_again_has_the_motion_that_shook_it() -> None:
+    scene, motion = parsed().scene(), parsed().motion()
+    run = replay(scene, DRAW._replace(direction=math.pi / 2.0), motion, 1.0, 9.8)
+    assert run.motion.y is not None
+    assert (np.ptp(run.motion.x), np.ptp(run.motion.y)) == pytest.approx((0.0, np.ptp(motion.x)), abs=1e-9)
+    assert np.ptp(run.place[0, :, 1]) > 10.0 * np.ptp(run.place[0, :, 0])
 
 
 def test_the_bits_do_not_depend_on_threads() -> None:

@@ -13,8 +13,7 @@ import verdict_cases
 
 import stayput as sp
 from stayput.catalogue import LANGUAGES, earthquake, page, say
-from stayput.fragility import probability
-from stayput.fragility.probabilities import percent
+from stayput.fragility.probabilities import percent, probability
 from stayput.inventory.report import storey_map
 from stayput.inventory.summary import Total
 from stayput.measures import MEASURES, Belt, DeviceResult

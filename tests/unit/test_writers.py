@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from stayput import InputError, near_fault, read_motion, sine
-from stayput.motion import Motion
+from stayput.motion.record import Motion
 
 
 def test_columns_hold_every_bit(tmp_path):

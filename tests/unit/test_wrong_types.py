@@ -13,7 +13,7 @@ import pytest
 
 import stayput as sp
 from stayput import estimates
-from stayput.fragility import PGA
+from stayput.fragility.intensity_measures import PGA
 from stayput.standards.equipment import equipment_loads, position_of
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ def fields(kind: Any, **given: Any) -> tuple[Callable[..., Any], dict[str, Any]]
 GOOD: tuple[tuple[Callable[..., Any], dict[str, Any]], ...] = (
     fields(sp.Body, width=0.4, height=1.8, mass=100.0),
     (sp.Body.from_parts, SIZE | {"parts": [sp.Part(10.0, 0.0, 0.9, 0.4, 1.8)]}),
-    (sp.Body.bookcase, SIZE | {"mass": 10.0, "loads": [5.0], "load_width": 0.3}),
+    (sp.Body.bookcase, SIZE | {"mass": 10.0, "loads": [5.0]}),
     fields(sp.Part, mass=1.0, x=0.0, z=0.5),
     fields(sp.Floor),
     (sp.Floor.of, {"surface": "vinyl"}),
@@ -99,7 +99,7 @@ GOOD: tuple[tuple[Callable[..., Any], dict[str, Any]], ...] = (
     fields(sp.Motion, dt=0.01, x=MOTION.x),
     (sp.sine, {"amplitude": 1.0, "frequency": 1.0, "duration": 1.0, "phase": 0.0, "dt": 0.01, "quiet": 0.0}),
     (sp.pulse, {"kind": "ricker", "amplitude": 1.0, "frequency": 1.0, "gamma": 2.0, "nu": 0.0, "dt": 0.01}),
-    (sp.response_spectrum, {"motion": MOTION, "periods": [0.1, 1.0], "damping": 0.05, "component": "x"}),
+    (MOTION.spectrum, {"periods": [0.1, 1.0], "damping": 0.05, "component": "x"}),
     (sp.synthetic_suite, {"family": "mixed", "count": 1, "seed": 1, "target": None}),
     fields(sp.Suite, motions=(MOTION,)),
     fields(sp.TargetSpectrum, periods=[0.1, 1.0], sa=[1.0, 1.0]),

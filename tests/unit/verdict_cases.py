@@ -5,7 +5,11 @@ from dataclasses import replace
 import numpy as np
 
 import stayput as sp
-from stayput.fragility import INTENSITY_MEASURES, Trials, difference, fragility_curve, probability
+from stayput.fragility.curve import fragility_curve
+from stayput.fragility.intensity_measures import INTENSITY_MEASURES
+from stayput.fragility.paired import difference
+from stayput.fragility.probabilities import probability
+from stayput.fragility.trials import Trials
 from stayput.measures import Belt, FeltGlides
 from stayput.montecarlo.counting import EVENTS, Member, Quantiles
 from stayput.scenario.option import Option

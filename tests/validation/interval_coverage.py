@@ -13,7 +13,11 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 from scipy.special import ndtr, ndtri
 
-from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve, probability
+from stayput.fragility.curve import fragility_curve
+from stayput.fragility.intensity_measures import JMA_INTENSITY
+from stayput.fragility.paired import difference
+from stayput.fragility.probabilities import probability
+from stayput.fragility.trials import Trials
 from stayput.uncertainty import random_bits, uniforms
 
 if TYPE_CHECKING:

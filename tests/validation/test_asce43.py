@@ -66,7 +66,7 @@ def test_what_leaves_no_friction_is_beyond_the_method():
 
     assert sp.asce43_sliding(with_peak(2.4), 0.4).effective_friction == pytest.approx(0.4 * 0.04, rel=1e-3)
     for factor in (2.51, 4.0):
-        with pytest.raises(sp.InputError, match=r"vertical acceleration is .* below 24.5 m/s²"):
+        with pytest.raises(sp.InputError, match=r"vertical acceleration is .* under 24.5 m/s²"):
             sp.asce43_sliding(with_peak(factor), 0.4)
 
 

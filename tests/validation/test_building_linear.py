@@ -8,7 +8,8 @@ from scipy.linalg import eigh
 from scipy.signal import StateSpace, lsim
 
 import stayput as sp
-from stayput.building import Building, ShearModel
+from stayput.building.building import Building
+from stayput.building.model import ShearModel
 from stayput.building.modes import strain_energy_damping
 
 RNG = np.random.default_rng(4)
@@ -81,14 +82,13 @@ def test_the_same_answer_at_any_step():
 @pytest.mark.parametrize("storeys", [1, 3, 10, 40])
 def test_what_a_line_between_samples_costs(storeys):
     """Peaks and floor spectra change by less than 3 % when the floors are sampled 8 times as finely."""
-    from stayput.motion.spectrum import response_spectrum
 
     ground = sp.near_fault().component("x")
     used = Building(storeys, nonlinear=False).respond(ground)
     fine = Building(storeys, nonlinear=False).respond(ground.resampled(used.dt / 8.0))
     assert used.peak_acceleration() == pytest.approx(fine.peak_acceleration(), rel=0.02)
     assert used.peak_velocity() == pytest.approx(fine.peak_velocity(), rel=0.005)
-    mine, theirs = (response_spectrum(r.floor(storeys + 1)).sa for r in (used, fine))
+    mine, theirs = (r.floor(storeys + 1).spectrum().sa for r in (used, fine))
     assert mine == pytest.approx(theirs, rel=0.03)
 
 

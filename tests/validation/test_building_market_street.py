@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from real_records import MOTIONS, recorded
-from stayput.building import Building
-from stayput.motion import read_motion
-from stayput.motion.spectrum import PERIODS, response_spectrum
+from stayput.building.building import Building
+from stayput.motion.readers import read_motion
+from stayput.motion.response import PERIODS
 from stayput.report.building import plot_building
 
 pytestmark = recorded
@@ -50,16 +50,16 @@ def test_peaks_of_the_top_floor(response, recorded):
 def test_spectrum_of_the_top_floor(response, recorded, ground):
     """Within a factor of 2.5 everywhere, 35 % on average; the ground's own spectrum is off by far more."""
     band = (PERIODS >= 0.1) & (PERIODS <= 8.0)
-    truth = response_spectrum(recorded).sa[band]
-    off = np.abs(np.log(response_spectrum(response.floor(42)).sa[band] / truth))
-    of_ground = np.abs(np.log(response_spectrum(ground).sa[band] / truth))
+    truth = recorded.spectrum().sa[band]
+    off = np.abs(np.log(response.floor(42).spectrum().sa[band] / truth))
+    of_ground = np.abs(np.log(ground.spectrum().sa[band] / truth))
     assert off.max() < np.log(2.5)
     assert off.mean() < np.log(1.35)
     assert off.mean() < 0.4 * of_ground.mean()
 
 
 def test_first_mode_of_the_top_floor(response, recorded):
-    mine, truth = (response_spectrum(m, [6.4]).sa[0] for m in (response.floor(42), recorded))
+    mine, truth = (m.spectrum([6.4]).sa[0] for m in (response.floor(42), recorded))
     assert mine == pytest.approx(truth, rel=0.2)
 
 

@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.building import Building, Isolation, ShearModel
 from stayput.building import histories as solution
+from stayput.building.building import Building, Isolation
+from stayput.building.model import ShearModel
 
 GROUND = sp.near_fault().component("x")
 KINDS = ("RC", "steel", "wood", "base-isolated")

@@ -15,7 +15,8 @@ import numpy as np
 import pytest
 from interval_coverage import CHANGE, FAMILIES, PROBABILITY, QUANTITIES, Coverage, Mixture, coverage
 
-from stayput.fragility import difference, probability
+from stayput.fragility.paired import difference
+from stayput.fragility.probabilities import probability
 from stayput.uncertainty import random_bits
 
 STUDIES = 300

@@ -25,23 +25,19 @@ from scipy.special import ndtr, ndtri
 from scipy.stats import lognorm
 
 from stayput import InputError
-from stayput.fragility import (
+from stayput.fragility.curve import CurveState, FragilityCurve, fragility_curve
+from stayput.fragility.exports import NAMESPACE, lognormal_moments, pelicun_csv, write_nrml, write_pelicun
+from stayput.fragility.intensity_measures import (
     JMA_INTENSITY,
     MMI,
     PFA,
     PFV,
     PGA,
     PGV,
-    FragilityCurve,
     IntensityMeasure,
-    Trials,
-    fragility_curve,
     spectral_acceleration,
-    write_nrml,
-    write_pelicun,
 )
-from stayput.fragility.curve import CurveState
-from stayput.fragility.exports import NAMESPACE, lognormal_moments, pelicun_csv
+from stayput.fragility.trials import Trials
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 from real_records import MOTIONS, recorded
-from stayput.motion import Motion, read_motion, sine
 from stayput.motion.intensity import (
     filtered_level,
     intensity_class,
@@ -19,6 +18,9 @@ from stayput.motion.intensity import (
     long_period_response,
     published_intensity,
 )
+from stayput.motion.readers import read_motion
+from stayput.motion.record import Motion
+from stayput.motion.synthetic import sine
 
 
 @pytest.mark.parametrize(("frequency", "expected"), [(1.0, 4.937), (0.5, 5.041), (5.0, 4.166)])

@@ -9,7 +9,7 @@ import pytest
 
 import stayput as sp
 from stayput.estimates import kaneko_hayashi_median
-from stayput.fragility import CurveState
+from stayput.fragility.curve import CurveState
 from stayput.motion.suites.synthesis import synthetic_suite
 from studies.capacity import (
     ROOMS,

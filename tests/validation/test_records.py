@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 from real_records import MOTIONS, recorded
-from stayput.motion import Motion, read_motion
+from stayput.motion.readers import read_motion
+from stayput.motion.record import Motion
 
 pytestmark = recorded
 

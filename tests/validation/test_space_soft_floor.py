@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.fragility import difference
+from stayput.fragility.paired import difference
 from stayput.measures import MEASURES
 from stayput.model.soft_base import rigid_half_base
 from stayput.rooms.runs import RoomPart

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -15,11 +17,10 @@ from stayput.app.presets import presets
 from stayput.app.room_api import add_rooms
 from stayput.app.run_replies import SimulateReply
 from stayput.app.running import shaking_reply, simulated
-from stayput.app.scenes import several_pieces
 from stayput.app.service import OF_BODY, OF_JOB, Service, json_response, of_file, problems
 from stayput.app.turns import StoppedError
 from stayput.app.verdict_replies import EverydayReply, JobReply
-from stayput.app.verification import everyday_reply, runs_of, with_everyday, with_options
+from stayput.app.verification import everyday_reply, runs_of, with_options
 from stayput.catalogue import Language  # noqa: TC001 - FastAPI reads the annotations
 from stayput.scenario import Scenario
 from stayput.scenario.toml import table_of_toml
@@ -28,8 +29,6 @@ from stayput.verification import Verdict, verify
 from stayput.verification.compare import curve_levels
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from stayput.execution import Stop
     from stayput.scenario import Scenario
 
@@ -42,11 +41,16 @@ Which = Annotated[Literal["without", "with"], Query()]
 def api(service: Service) -> APIRouter:
     """Return the routes under /api/v1."""
     router = APIRouter(prefix="/api/v1")
-    parts = {"general": (_add_general,), "runs": (_add_runs,), "verification": (_add_jobs, add_rooms)}
-    for tag, added in {**parts, "motions": (_add_motions,)}.items():
+    parts = (
+        ("general", _add_general),
+        ("runs", _add_runs),
+        ("verification", _add_jobs),
+        ("verification", add_rooms),
+        ("motions", _add_motions),
+    )
+    for tag, add in parts:
         routes = APIRouter(tags=[tag])
-        for add in added:
-            add(routes, service)
+        add(routes, service)
         router.include_router(routes)
     return router
 
@@ -63,7 +67,7 @@ def _add_general(router: APIRouter, service: Service) -> None:
         return await service.workers.run(lambda: json_response(presets(service.limits)))
 
     @router.post("/scenario/toml", **of_file(OF_BODY, "application/toml"))
-    async def toml(body: requests.TomlRequest) -> Response:
+    async def toml(body: requests.MeasuredRequest) -> Response:
         """Return a scene as a scenario file."""
 
         def work() -> Response:
@@ -87,20 +91,20 @@ def _add_general(router: APIRouter, service: Service) -> None:
 
 def _add_runs(router: APIRouter, service: Service) -> None:
     @router.post("/simulate", response_model=SimulateReply, responses=problems(*OF_BODY))
-    async def simulate(request: Request, body: requests.SimulateRequest) -> Response:
+    async def simulate(request: Request, body: requests.MeasuredRequest) -> Response:
         """Run a scene without and with measures, in the plane or in space; several pieces in space."""
 
         def work(_left: Stop) -> Response:
             reply = simulated(service.shaken(body.scene, body.measures))
-            reply.motion.name = service.motions.named(reply.motion.name)
+            reply.motion.name = service.motions.with_file_names(reply.motion.name)
             return json_response(reply)
 
-        workers = service.slow if several_pieces(body.scene) else service.workers
+        workers = service.slow if isinstance(body.scene.get("furniture"), list) else service.workers
         return await service.while_awaited(workers, request, work)
 
     @router.post("/simulate/csv", **of_file(OF_BODY, "text/csv"))
     async def simulate_csv(
-        request: Request, body: requests.SimulateRequest, which: Which = "without"
+        request: Request, body: requests.MeasuredRequest, which: Which = "without"
     ) -> Response:
         """Run a scene without or with measures; return its histories at the record's samples."""
 
@@ -115,7 +119,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
     @router.post("/simulate/film", **of_file((*OF_BODY, 404, 409), *films))
     async def simulate_film(
         request: Request,
-        body: requests.SimulateRequest,
+        body: requests.MeasuredRequest,
         which: Which = "without",
         kind: Annotated[Literal["html", "gif", "mp4"], Query()] = "html",
         lang: Annotated[Language, Query()] = "en",
@@ -138,7 +142,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
                 held=which == "with",
                 seconds=seconds,
                 note=note,
-                named=service.motions.named,
+                named=service.motions.with_file_names,
                 progress=go_on,
             )
             return attachment(content, f"run_{which}.{kind}")
@@ -146,7 +150,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
         return await service.while_awaited(service.slow, request, work)
 
     @router.post("/shaking", response_model=replies.ShakingReply, responses=problems(*OF_BODY))
-    async def strength(body: requests.ShakingRequest) -> Response:
+    async def strength(body: requests.SceneRequest) -> Response:
         """Return how strongly the ground shakes in a scene, as a JMA intensity with its scatter."""
         return await service.workers.run(lambda: json_response(shaking_reply(service.shaken(body.scene))))
 
@@ -163,19 +167,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
             return extended, levels, runs_of(extended, service.limits, len(levels))
 
         scenario, levels, runs = await service.workers.run(prepare)
-
-        def work(on_progress: Callable[[int, int], None], on_verdict: Callable[[Verdict], None]) -> Verdict:
-            return verify(
-                scenario,
-                levels=levels,
-                slide_limit=body.slide_limit_m,
-                threads=service.limits.threads,
-                progress=False,
-                on_progress=on_progress,  # which stops it by an exception
-                on_verdict=on_verdict,
-            )
-
-        return service.begun(work, runs, scenario, body.lease_s)
+        return service.begun(partial(verify, levels=levels), body, scenario, runs)
 
     @router.get("/jobs/{name}", response_model=JobReply, responses=problems(404, 422, 503))
     async def get_job(name: requests.Name) -> Response:
@@ -192,12 +184,13 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     refusals = problems(*OF_BODY, 404, 409)
 
     @router.put("/jobs/{name}/everyday", response_model=EverydayReply, responses=refusals)
-    async def put_everyday(name: requests.Name, body: requests.EverydayRequest) -> Response:
+    async def put_everyday(name: requests.Name, body: requests.SceneRequest) -> Response:
         """Put another scene's everyday use into a verdict that is done, whose runs it has no part in."""
         service.verdict(name)
         scenario = await service.workers.run(service.lone_piece, body.scene)
         job, verdict = service.verdict(name)
-        changed = with_everyday(verdict, scenario.everyday)
+        same = verdict.scenario.model_copy(update={"everyday": scenario.everyday})
+        changed = replace(verdict, scenario=same)
         job.verdict, job.reports = changed, {}
         return await service.workers.run(lambda: json_response(everyday_reply(changed)))
 

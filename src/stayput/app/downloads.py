@@ -9,14 +9,14 @@ import tempfile
 import threading
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from starlette.responses import Response
 
 from stayput.app.middleware import REPORT_POLICY
 from stayput.app.refusals import refused
-from stayput.app.running import own_measures, pieces_run, run_of
+from stayput.app.running import own_measures, runs_of
 from stayput.report.animation import animate_run
 from stayput.report.names import names_of
 from stayput.rooms.verdict import RoomVerdict
@@ -24,7 +24,7 @@ from stayput.scenario import Scenario
 from stayput.scenario.shaking import RECORD_FILES
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable
 
     from numpy.typing import NDArray
 
@@ -67,7 +67,7 @@ def scene_toml(scenario: Scenario, motions: Motions) -> str:
     names = {key: value for key in RECORD_FILES if isinstance(value := getattr(shaking, key), str)}
     if not names:
         return scenario.to_toml()
-    changed = shaking.model_copy(update={key: motions.label(value) for key, value in names.items()})
+    changed = shaking.model_copy(update={key: motions.with_file_names(value) for key, value in names.items()})
     note = "# Put the record's file beside this one.\n"
     return note + scenario.model_copy(update={"shaking": changed}).to_toml()
 
@@ -89,13 +89,11 @@ def run_csv(scenario: Scenario, *, held: bool) -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     modes = list[str](run.mode.tolist())
-    for number, name in enumerate(names_of(run, "en")):
-        columns = _of_piece(run, number)
-        if number == 0:
-            writer.writerow(["piece", *columns, *(["mode"] if modes else [])])
-        writer.writerows(
-            [name, *row, *modes[sample : sample + 1]] for sample, row in enumerate(_rows(columns))
-        )
+    tables = [(name, _of_piece(run, number)) for number, name in enumerate(names_of(run, "en"))]
+    writer.writerow(["piece", *tables[0][1], *(["mode"] if modes else [])])
+    for name, columns in tables:
+        for sample, values in enumerate(zip(*(column.tolist() for column in columns.values()), strict=True)):
+            writer.writerow([name, *(f"{value:.9g}" for value in values), *modes[sample : sample + 1]])
     return text.getvalue()
 
 
@@ -122,11 +120,6 @@ def _of_piece(run: Run, number: int) -> dict[str, NDArray[np.float64]]:
         },
         **_forces(run),
     }
-
-
-def _rows(columns: dict[str, NDArray[np.float64]]) -> Iterator[list[str]]:
-    for values in zip(*(column.tolist() for column in columns.values()), strict=True):
-        yield [f"{value:.9g}" for value in values]
 
 
 def film_kinds() -> tuple[str, ...]:
@@ -179,20 +172,17 @@ def film(
     motion = scenario.motion()
     if kind != "html" and seconds is None and motion.duration > limits.film:
         raise refused(422, "app.long_film", "scene.shaking", value=motion.duration, most=limits.film)
-    options: dict[str, Any] = {"language": language, "seconds": seconds, "note": note, "progress": progress}
     with tempfile.TemporaryDirectory(prefix="stayput-film-") as folder:
         path = Path(folder, f"run.{kind}")
         shown = _shown(scenario, held=held)
         run = replace(shown, motion=replace(shown.motion, name=named(shown.motion.name)))
-        animate_run(run, path, **options)
+        animate_run(run, path, language=language, seconds=seconds, note=note, progress=progress)
         return path.read_bytes()
 
 
 def _shown(scenario: Scenario, *, held: bool) -> Run:
     """Return the run of a scene."""
-    if not scenario.alone:
-        return pieces_run(scenario)
-    return run_of(scenario, scenario.motion(), own_measures(scenario) if held else ())
+    return runs_of(scenario, own_measures(scenario) if held else ())[0]
 
 
 def _forces(run: Run) -> dict[str, NDArray[np.float64]]:
@@ -221,6 +211,6 @@ def report_page(verdict: AnyVerdict, language: str, motions: Motions) -> bytes:
     from stayput.report.verdict.html import report_html  # Matplotlib takes its time to load
 
     if isinstance(verdict, RoomVerdict):
-        return motions.named(room_html(verdict, language)).encode("utf-8")
+        return motions.with_file_names(room_html(verdict, language)).encode("utf-8")
     with _drawing:
-        return motions.named(report_html(verdict, language)).encode("utf-8")
+        return motions.with_file_names(report_html(verdict, language)).encode("utf-8")

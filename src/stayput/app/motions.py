@@ -23,7 +23,7 @@ import numpy as np
 
 from stayput.app.reader import ReadingResult, ReadingTask
 from stayput.app.refusals import RefusedError, problem, refused
-from stayput.app.replies import ChannelReply, DoubtReply, MotionReply, PreviewReply
+from stayput.app.replies import ChannelReply, MotionReply, PreviewReply
 from stayput.app.requests import ID
 from stayput.app.turns import CLIENT, Client, Workers, first_to_go
 from stayput.errors import InputError
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from stayput.app.limits import Limits
     from stayput.app.requests import Upload
     from stayput.errors import InputWarning
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
 
 MOST_INTERVALS = 1000
 """Most intervals of a preview, each with its lowest and highest value."""
@@ -245,7 +245,7 @@ class Motions:
             intensity=intensity,
             intensity_class=None if motion.floor else class_of(intensity),
             expires_in_s=max(0.0, self._limits.keep - (time.monotonic() - stored.last_used)),
-            warnings=[DoubtReply.from_attributes(problem(warning)) for warning in stored.warnings],
+            warnings=[problem(warning) for warning in stored.warnings],
             shaking=stored.shaking,
         )
 
@@ -259,24 +259,13 @@ class Motions:
             high_m_s2=np.round(np.maximum.reduceat(motion.x, starts), 4).tolist(),
         )
 
-    def label(self, name: str) -> str:
-        """Return the label of a motion's file."""
-        return self._get(name).motion.name
-
-    def named(self, text: str) -> str:
-        """Return a text with the motions' own names in place of their ids."""
-        with self._lock:
-            for name, stored in self._stored.items():
-                text = text.replace(name, stored.motion.name)
-        return text
-
-    def with_file_names(self, sentence: str, new: Mapping[str, str] | None = None) -> str:
-        """Return a sentence with the users' names for their files in place of the server's.
+    def with_file_names(self, text: str, new: Mapping[str, str] | None = None) -> str:
+        """Return a text with the users' names for their files in place of the server's.
 
         Parameters
         ----------
-        sentence : str
-            A sentence about a file.
+        text : str
+            A sentence about a file, or a report.
         new : mapping, optional
             Names of files that are not kept yet.
         """
@@ -285,8 +274,8 @@ class Motions:
         names |= new or {}
         inside = f"{self.folder}{os.sep}"
         for known in (repr(inside)[1:-1], inside):  # sentences quote paths by repr, which doubles backslashes
-            sentence = sentence.replace(known, "")
-        return _NAME.sub(lambda match: names.get(match[0], "record"), sentence)
+            text = text.replace(known, "")
+        return _NAME.sub(lambda match: names.get(match[0], "record"), text)
 
     def remove(self, name: str) -> None:
         """Forget a motion.

@@ -84,38 +84,18 @@ def page_of(folder: str) -> str:
 
 
 @cache
-def words(language: Language) -> str:
-    """Return the texts of both pages in a language by their keys, as JSON."""
+def words(language: Language) -> dict[str, str]:
+    """Return the texts of both pages in a language by their keys."""
     place = LANGUAGES.index(language)
     texts = {name.rpartition(".")[2]: TEXTS[name] for name in SHARED}
     for part in (page, earthquake, room_page):
         texts |= part.TEXTS
-    return json.dumps({key: text[place] for key, text in texts.items()}, ensure_ascii=False)
-
-
-def language_of(request: Request) -> Language:
-    """Return the first language that a browser asks for, of those there are; English for others."""
-    for tag in request.headers.get("accept-language", "").lower().split(","):
-        for language in LANGUAGES:
-            if tag.strip()[:2] == language:
-                return language
-    return LANGUAGES[0]
+    return {key: text[place] for key, text in texts.items()}
 
 
 def page_routes() -> list[Mount | Route]:
     """Return the routes of the pages; they take all paths that those before them do not."""
-
-    async def words_table(request: Request) -> Response:
-        language = language_of(request)
-        names = ", ".join(f'{code}: "words-{code}.json"' for code in LANGUAGES)
-        text = (
-            f"export const LANGUAGES = {json.dumps(LANGUAGES)};\n"
-            f"export const FILES = {{ {names} }};\n"
-            f"export const TABLES = {{ {language}: {words(language)} }};\n"
-        )
-        return Response(
-            text, headers={**ASKED_EACH_TIME, "Vary": "Accept-Language"}, media_type="text/javascript"
-        )
+    tables = json.dumps({language: words(language) for language in LANGUAGES}, ensure_ascii=False)
 
     async def to_room(_request: Request) -> Response:
         return RedirectResponse("room/")
@@ -126,8 +106,7 @@ def page_routes() -> list[Mount | Route]:
             for folder in PAGES
             for name in ("", "index.html")
         ),
-        *(Route(f"/words-{code}.json", _file(words(code), "application/json")) for code in LANGUAGES),
-        Route("/words_table.js", words_table),
+        Route("/words_table.js", _file(f"export const TABLES = {tables};\n", "text/javascript")),
         Route("/room", to_room),
         *(Mount(f"/{path}".rstrip("/"), PackageFiles(*folder)) for path, folder in reversed(FOLDERS.items())),
     ]

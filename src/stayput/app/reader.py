@@ -20,7 +20,7 @@ from stayput.motion.readers.columns import OPTIONS
 
 if TYPE_CHECKING:
     from stayput.app.limits import Limits
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
 
 T = TypeVar("T", InputError, InputWarning)
 

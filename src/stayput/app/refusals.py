@@ -68,12 +68,6 @@ def refused(
     return RefusedError(status, InputError(code, field, **values), retry_after)
 
 
-def too_many_runs(runs: int, most: int) -> RefusedError:
-    """Return the refusal of a verification with more simulations than the server allows."""
-    name = phrase("app.runs")
-    return refused(422, "app.many", "scene.uncertainty.samples", name=name, value=runs, most=most)
-
-
 @contextmanager
 def unprinted() -> Generator[None]:
     """Keep warnings of this thread out of the server's log: who sent a record is told by the reply."""

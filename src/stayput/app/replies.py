@@ -45,7 +45,7 @@ class Words(Reply):
 
 
 class Problem(Reply):
-    """Why a request was refused."""
+    """Why a request was refused, or what of an upload may not be as it was meant."""
 
     message: str = Field(description="One sentence.")
     message_ja: str | None = Field(default=None, description="The same in Japanese.")
@@ -205,14 +205,6 @@ class PresetsReply(Reply):
     limits: LimitsReply
 
 
-class DoubtReply(Reply):
-    """What may not be as it was meant, in one sentence."""
-
-    message: str
-    message_ja: str | None = Field(description="The same in Japanese, where the page needs it.")
-    field: str | None = Field(description="What would say it: unit, component, remove_mean.")
-
-
 class ChannelReply(Reply):
     """A channel of an uploaded file."""
 
@@ -239,7 +231,7 @@ class MotionReply(Reply):
     intensity_class: str | None
     expires_in_s: float
     floor: str = Field(description="Upper floor of a building that it was recorded on; empty otherwise.")
-    warnings: list[DoubtReply] = Field(description="What is doubtful about the file.")
+    warnings: list[Problem] = Field(description="What is doubtful about the file.")
     shaking: dict[str, Any] = Field(description="What a scene's shaking says to use it.")
 
 

@@ -52,34 +52,35 @@ class Request(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
 
 
-class SimulateRequest(Request):
-    """One scene, run without and with measures; of several pieces without."""
+class SceneRequest(Request):
+    """A scene."""
 
     scene: SceneData
+
+
+class MeasuredRequest(SceneRequest):
+    """A scene, and the measures that hold its piece; what is of several pieces has its own."""
+
     measures: Measures
 
 
-class ShakingRequest(Request):
-    """A scene of which only the shaking is looked at."""
+class VerificationRequest(SceneRequest):
+    """A scene to be verified as a job."""
 
-    scene: SceneData
-
-
-class VerifyRequest(Request):
-    """A scene to be verified."""
-
-    scene: SceneData
-    measures: Measures
-    compare_usual: bool = Field(default=True, description="Whether the usual measures are compared too.")
     slide_limit_m: SlideLimit = SLIDE_LIMIT
-    curves: bool = Field(default=True, description="Whether fragility curves are made, which takes longer.")
     lease_s: Lease = None
 
 
-class RoomRequest(Request):
+class VerifyRequest(VerificationRequest, MeasuredRequest):
+    """A piece to be verified."""
+
+    compare_usual: bool = Field(default=True, description="Whether the usual measures are compared too.")
+    curves: bool = Field(default=True, description="Whether fragility curves are made, which takes longer.")
+
+
+class RoomRequest(VerificationRequest):
     """A room to be verified."""
 
-    scene: SceneData
     before: Annotated[
         SceneData | None,
         Field(
@@ -88,14 +89,6 @@ class RoomRequest(Request):
         ),
     ] = None
     changes: bool = Field(default=True, description="Whether single changes are tried, which takes longer.")
-    slide_limit_m: SlideLimit = SLIDE_LIMIT
-    lease_s: Lease = None
-
-
-class EverydayRequest(Request):
-    """A scene of which only what people do to the piece has changed since it was verified."""
-
-    scene: SceneData
 
 
 class ReadRequest(Request):
@@ -103,13 +96,6 @@ class ReadRequest(Request):
 
     toml: str = Field(description="The file's text.")
     name: str = Field(default="scenario.toml", max_length=255, description="What a refusal calls the file.")
-
-
-class TomlRequest(Request):
-    """A scene to be written as a scenario file."""
-
-    scene: SceneData
-    measures: Measures
 
 
 class Upload(BaseModel):

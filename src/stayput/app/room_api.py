@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import asdict, replace
+from functools import partial
 from typing import TYPE_CHECKING, Annotated
 
 from fastapi import Depends, Query, Request
 from starlette.responses import Response
 
 from stayput.app.middleware import REPORT_POLICY
-from stayput.app.refusals import RefusedError, refused, too_many_runs
+from stayput.app.refusals import RefusedError, refused
 from stayput.app.requests import Name, RoomRequest  # noqa: TC001 - FastAPI reads the annotations
-from stayput.app.scenes import motions_of, refusal
+from stayput.app.scenes import motions_of, refusal, too_many
 from stayput.app.service import OF_BODY, OF_JOB, json_response, of_file, problems
 from stayput.app.turns import Turn
 from stayput.app.verdict_replies import JobReply, PlanProgressReply
@@ -38,17 +39,7 @@ if TYPE_CHECKING:
     from stayput.scenario import Scenario
 
 
-def _asked_home(
-    *,
-    no_drilling: Annotated[bool, Query(description="Nothing may be screwed to a wall.")] = False,
-    tatami: Annotated[bool, Query(description="The floor is tatami.")] = False,
-    plasterboard: Annotated[bool, Query(description="The walls have no studs to screw to.")] = False,
-    dropped_ceiling: Annotated[bool, Query(description="The ceiling hangs on wires.")] = False,
-) -> Home:
-    return Home(no_drilling, tatami, plasterboard, dropped_ceiling)
-
-
-AskedHome = Annotated[Home, Depends(_asked_home)]
+AskedHome = Annotated[Home, Depends()]
 """What the home of a plan is like, by the query."""
 
 
@@ -65,20 +56,7 @@ def add_rooms(router: APIRouter, service: Service) -> None:
 
         scenario, runs, before = await service.workers.run(prepare)
 
-        def work(
-            on_progress: Callable[[int, int], None], on_verdict: Callable[[RoomVerdict], None]
-        ) -> RoomVerdict:
-            return verify_room(
-                scenario,
-                changes=body.changes,
-                slide_limit=body.slide_limit_m,
-                threads=service.limits.threads,
-                progress=False,
-                on_progress=on_progress,  # which stops it by an exception
-                on_verdict=on_verdict,
-            )
-
-        return service.begun(work, runs, scenario, body.lease_s, before)
+        return service.begun(partial(verify_room, changes=body.changes), body, scenario, runs, before)
 
     def finished(name: str) -> tuple[Job, RoomVerdict]:
         job, verdict = service.done(name)
@@ -167,7 +145,7 @@ def _checked(scenario: Scenario, limits: Limits) -> int:
     motions = motions_of(scenario.shaking)
     runs = len(groups_of(scenario)) * motions * max(1, -(-scenario.samples // motions))
     if runs > limits.runs_of_room:
-        raise too_many_runs(runs, limits.runs_of_room)
+        raise too_many("uncertainty.samples", runs, limits.runs_of_room, "app.runs")
     return runs
 
 

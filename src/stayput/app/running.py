@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -23,7 +24,6 @@ from stayput.report.film.shape import rounded
 from stayput.report.summary import device_results, piece_results, place_called, sentences_of_piece
 from stayput.rooms.events import happens_in
 from stayput.scenario.option import YOURS
-from stayput.simulation.case import simulate
 from stayput.simulation.outcome import EventKind
 from stayput.simulation.space_fate import ROCKED, SLID
 from stayput.verification.words import class_phrase
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.measures import Measure
     from stayput.measures.element import DeviceResult
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.scenario import Scenario
     from stayput.scenario.shaking import ShakingTable
     from stayput.simulation.run import Run
@@ -57,43 +57,27 @@ def own_measures(scenario: Scenario) -> tuple[Measure, ...]:
     return next((measure_set.measures for measure_set in scenario.options if measure_set.name == YOURS), ())
 
 
-def run_of(scenario: Scenario, motion: Motion, measures: tuple[Measure, ...]) -> Run:
-    """Run a scene under a motion, in the plane or in space.
+def runs_of(scenario: Scenario, *sets: tuple[Measure, ...]) -> list[Run]:
+    """Run a piece with each of some sets of measures, in the plane or in space; or several pieces, once.
 
     Raises
     ------
     RefusedError
         Measures that cannot be applied, or what the simulation refuses.
     """
-    piece = scenario.piece
+    runs: list[Run] = []
+    place = "scene"
     try:
-        run = simulate(
-            piece.body(),
-            scenario.room.room(),
-            motion,
-            measures,
-            dimensions=3 if scenario.dimensions == 3 else 2,
-            initial=scenario.initial.state(),
-            gravity=scenario.gravity,
-            most_events=MOST_EVENTS,
-        )
+        if not scenario.alone:
+            return [scenario.run()]
+        case, piece = scenario.case(), scenario.piece
+        for measures in sets:
+            place = "measures" if measures else "scene"
+            run = replace(case, measures=measures).run(MOST_EVENTS)
+            runs.append(run.named([piece.name or piece.preset or ANY_PIECE[0]]))
     except InputError as error:
-        raise RefusedError(422, error.about("measures" if measures else "scene")) from None
-    return run.named([piece.name or piece.preset or ANY_PIECE[0]])
-
-
-def pieces_run(scenario: Scenario) -> Run:
-    """Run several pieces.
-
-    Raises
-    ------
-    RefusedError
-        Pieces that are not possible.
-    """
-    try:
-        return scenario.run()
-    except InputError as error:
-        raise RefusedError(422, error.about("scene")) from None
+        raise RefusedError(422, error.about(place)) from None
+    return runs
 
 
 def simulated(scenario: Scenario) -> run_replies.SimulateReply:
@@ -102,14 +86,12 @@ def simulated(scenario: Scenario) -> run_replies.SimulateReply:
     Raises
     ------
     RefusedError
-        As `run_of` and `pieces_run`.
+        As `runs_of`.
     """
-    ground, motion = ground_and_floor(scenario)
-    measures = own_measures(scenario)
-    if scenario.alone:
-        runs = [run_of(scenario, motion, in_place) for in_place in ([(), measures] if measures else [()])]
-    else:
-        runs = [pieces_run(scenario)]
+    shaking, measures = scenario.shaking, own_measures(scenario)
+    bare = shaking.model_copy(update={"building": None, "storey": None})
+    ground = scenario.model_copy(update={"shaking": bare}).motion()
+    runs = runs_of(scenario, (), *([measures] if measures else []))
     drawn = [posed(run) for run in runs]
     scenes = [scene_of(shown, shown.names, drawn) for shown in drawn]
     data = [scene.data() for scene in scenes]
@@ -122,7 +104,7 @@ def simulated(scenario: Scenario) -> run_replies.SimulateReply:
         engine=runs[0].engine,
         motion=_motion_of_run(ground, runs[0].motion),
         floor=floor,
-        building=_building_reply(scenario.shaking, ground, scenes[0].time, scenes[0].shift_scale),
+        building=_building_reply(shaking, ground, scenes[0].time, scenes[0].shift_scale),
         without=replies[0],
         with_=replies[1] if len(replies) > 1 else None,
     )
@@ -149,16 +131,6 @@ def _run_reply(run: Run, times: NDArray[np.float64], scene: dict[str, Any]) -> r
         devices=[_device(device, run, times) for device in run.devices],
         scene=scene,
     )
-
-
-def ground_and_floor(scenario: Scenario) -> tuple[Motion, Motion]:
-    """Return the motions of the ground and under the piece, along the axes of the piece."""
-    shaking = scenario.shaking
-    if shaking.building is None:
-        ground = scenario.motion()
-        return ground, ground
-    bare = shaking.model_copy(update={"building": None, "storey": None})
-    return scenario.model_copy(update={"shaking": bare}).motion(), scenario.motion()
 
 
 def _motion_of_run(ground: Motion, motion: Motion) -> run_replies.MotionOfRun:

@@ -11,7 +11,7 @@ from stayput.app.refusals import RefusedError, refused
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.model.parameters import parameter_of
-from stayput.motion import sine
+from stayput.motion.synthetic import sine
 from stayput.scenario import Scenario
 from stayput.scenario.option import YOURS
 from stayput.scenario.shaking import RECORD_FILES, SuiteTable
@@ -64,13 +64,8 @@ def read_scene(
             raise refused(422, "app.no_mesh", f"scene.{scenario.key_of(number)}.mesh", name=piece.title)
     _few_entries([*scenario.pieces], "furniture", limits.pieces)
     if scenario.samples > limits.samples:
-        raise _too_many("uncertainty.samples", scenario.samples, limits.samples)
+        raise too_many("uncertainty.samples", scenario.samples, limits.samples)
     return scenario
-
-
-def several_pieces(data: Mapping[str, Any]) -> bool:
-    """Return whether a scene is one of several pieces."""
-    return isinstance(data.get("furniture"), list)
 
 
 def short_enough(scenario: Scenario, limits: Limits) -> Scenario:
@@ -91,8 +86,14 @@ def short_enough(scenario: Scenario, limits: Limits) -> Scenario:
     most = min(limits.duration, limits.samples_of_motion * motion.dt, limits.seconds_of_pieces / count)
     if motion.duration > most:
         name = phrase("app.duration_for_pieces", count=count)
-        raise _too_many("shaking", round(motion.duration), round(most), name)
+        raise too_many("shaking", round(motion.duration), round(most), name)
     return scenario
+
+
+def too_many(field: str, value: float, most: float, name: str | Phrase = "") -> RefusedError:
+    """Return the refusal of more than the server allows of what a field says, or of something by its name."""
+    called = phrase(name) if name else field
+    return refused(422, "app.many", f"scene.{field}", name=called, value=value, most=most)
 
 
 def motions_of(shaking: ShakingTable) -> int:
@@ -150,11 +151,11 @@ def _check_sine(table: dict[str, Any], limits: Limits) -> None:
     )
     length = duration + quiet
     if length > limits.duration:
-        raise _too_many("shaking.sine.duration", length, limits.duration, "app.duration")
+        raise too_many("shaking.sine.duration", length, limits.duration, "app.duration")
     step = min(dt, duration)  # at least one step in the shaking
     samples = length / step if step > 0.0 else 0.0
     if samples > (most := limits.samples_of_motion):
-        raise _too_many("shaking.sine.dt", round(samples), most, "app.samples")
+        raise too_many("shaking.sine.dt", round(samples), most, "app.samples")
 
 
 def _table(value: object) -> dict[str, Any]:
@@ -165,17 +166,12 @@ def _table(value: object) -> dict[str, Any]:
 def _at_most(table: dict[str, Any], name: str, key: str, most: int) -> None:
     value = _number(table.get(key, 0))
     if value > most:
-        raise _too_many(f"{name}.{key}", value, most)
+        raise too_many(f"{name}.{key}", value, most)
 
 
 def _few_entries(value: object, name: str, most: int) -> None:
     if isinstance(value, list) and (count := len(cast("list[Any]", value))) > most:
-        raise _too_many(name, count, most, phrase("app.entries", name=name))
-
-
-def _too_many(field: str, value: float, most: float, name: str | Phrase = "") -> RefusedError:
-    called = phrase(name) if name else field
-    return refused(422, "app.many", f"scene.{field}", name=called, value=value, most=most)
+        raise too_many(name, count, most, phrase("app.entries", name=name))
 
 
 def _number(value: object) -> float:

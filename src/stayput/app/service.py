@@ -25,8 +25,9 @@ if TYPE_CHECKING:
 
     from starlette.requests import Request
 
-    from stayput.app.jobs import AnyVerdict, Job, JobWork
+    from stayput.app.jobs import AnyVerdict, Job
     from stayput.app.limits import Limits
+    from stayput.app.requests import VerificationRequest
     from stayput.app.verdict_replies import JobReply
     from stayput.scenario import Scenario
     from stayput.verification import Verdict
@@ -178,14 +179,39 @@ class Service:
 
     def begun(
         self,
-        work: JobWork,
-        runs: int,
+        verification: Callable[..., AnyVerdict],
+        body: VerificationRequest,
         scenario: Scenario,
-        lease: float | None,
+        runs: int,
         before: Scenario | None = None,
     ) -> Response:
-        """Begin a job, and return where it stands and where to look for it; see `Jobs.start`."""
-        job = self.jobs.start(work, runs, uploaded_motions(scenario), lease, before)
+        """Begin a job that verifies a scene, and return where it stands and where to look for it.
+
+        Parameters
+        ----------
+        verification : callable
+            `verify` or `verify_room`.
+        body : VerificationRequest
+            What was asked.
+        scenario : Scenario
+            The scene.
+        runs, before
+            As ``total`` and ``before`` of `Jobs.start`.
+        """
+
+        def work(
+            on_progress: Callable[[int, int], None], on_verdict: Callable[[AnyVerdict], None]
+        ) -> AnyVerdict:
+            return verification(
+                scenario,
+                slide_limit=body.slide_limit_m,
+                threads=self.limits.threads,
+                progress=False,
+                on_progress=on_progress,  # which stops it by an exception
+                on_verdict=on_verdict,
+            )
+
+        job = self.jobs.start(work, runs, uploaded_motions(scenario), body.lease_s, before)
         return json_response(self.reply_of(job), 202, {"Location": f"/api/v1/jobs/{job.id}"})
 
     def done(self, name: str) -> tuple[Job, AnyVerdict]:

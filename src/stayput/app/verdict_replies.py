@@ -1,65 +1,30 @@
-"""Replies about verifications, of a piece and of a room: jobs and verdicts."""
+"""Replies about verifications, of a piece and of a room: jobs and verdicts.
+
+A verdict is sent as its JSON file has it. Described here is what a program needs first, and what only the
+server says; the further keys of the file come with it.
+"""
 
 from __future__ import annotations
 
 from typing import Any, Literal
 
-from pydantic import Field
+from pydantic import ConfigDict, Field
 
 from stayput.app.replies import Problem, Reply, Words
 
 
-class ShareReply(Reply):
+class PartReply(Reply):
+    """A part of a verdict, with all that the verdict's JSON file says of it."""
+
+    model_config = ConfigDict(extra="allow")
+
+
+class ShareReply(PartReply):
     """A probability with its 95 % interval, or a change of one."""
 
     estimate: float | None
     low: float | None
     high: float | None
-
-
-class ChanceReply(ShareReply):
-    """A probability, and its text."""
-
-    text: str
-
-
-class ChangeReply(ShareReply):
-    """A probability less that without a measure."""
-
-    clear: bool
-
-
-class QuantilesReply(Reply):
-    """Median and 90 % quantile; null where so many overturn."""
-
-    median: float | None
-    p90: float | None
-
-
-class CapacityReply(ShareReply):
-    """An intensity of the ground; null where the runs do not say.
-
-    It lies above and below intensities that were run; low and high are the ends of its 95 % interval, of
-    which there is none with one motion.
-    """
-
-    above: float | None
-    below: float | None
-    one_motion: bool
-    text: str
-
-
-class CapacitiesReply(Reply):
-    """Intensities at which a tenth and a half overturn."""
-
-    p10: CapacityReply
-    p50: CapacityReply
-
-
-class ObservedReply(ShareReply):
-    """Share that overturned at a level."""
-
-    intensity: float
 
 
 class CurveReply(Reply):
@@ -72,35 +37,16 @@ class CurveReply(Reply):
     probability: list[float] | None
     low: list[float] | None
     high: list[float] | None
-    observed: list[ObservedReply]
+    observed: list[ShareReply] = Field(description="At the levels that were run, each an intensity `im`.")
 
 
-class DeviceSummaryReply(Reply):
-    """What became of one device over all runs."""
-
-    kind: str
-    name: str
-    label: Words
-    failed: ChanceReply
-    peak_n: QuantilesReply
-
-
-class AsInstalledReply(Reply):
-    """A measure as people install it: well, or in a share of the homes badly."""
-
-    badly_share: float
-    badly: dict[str, ChanceReply] = Field(description="Each event where it is badly installed.")
-    usual: dict[str, float | None] = Field(description="Each event as people install it.")
-    how: list[Words] = Field(description="What is wrong where it is badly installed.")
-
-
-class OptionReply(Reply):
+class OptionReply(PartReply):
     """One of the things that may be done."""
 
     rank: int
     name: str
     label: Words
-    measures: list[dict[str, Any]]
+    measures: list[dict[str, Any]] = Field(description="As a scene has them.")
     reason: Words
     asides: list[Words] = Field(
         description="What comes out, and how often it overturns as people install it, where that is asked."
@@ -108,109 +54,33 @@ class OptionReply(Reply):
     grade: str = Field(description="How well founded its numbers are: A, B or C; see grades.")
     weakest: list[Words] = Field(description="The inputs of that grade.")
     yours: bool
-    overturned: ChanceReply
-    slid: ChanceReply
-    hit_wall: ChanceReply
-    device_failed: ChanceReply
-    change: ChangeReply | None
-    slide_m: QuantilesReply
-    tilt_rad: QuantilesReply
-    devices: list[DeviceSummaryReply]
-    as_installed: AsInstalledReply | None = Field(
-        description="Where the scene asks for it, and it can be badly installed."
-    )
-    contents: dict[str, int | float | None] | None = Field(
-        description="Where the scene says what is in the furniture: what comes out, and how often it "
-        "overturns with its contents fixed and without, by the names of the table's columns."
-    )
-    capacity: CapacitiesReply | None
+    probabilities: dict[str, ShareReply]
+    overturned_change: ShareReply | None = Field(description="Less the probability without measures.")
     curve: CurveReply | None
-
-
-class ImpossibleReply(Reply):
-    """A set of measures that cannot be put in place: it has no numbers."""
-
-    name: str
-    label: Words
-    reason: Words
-
-
-class EquipmentLoadReply(Reply):
-    """Static load of a class of the Japanese guideline for building equipment, and what it does."""
-
-    equipment_class: str
-    position: str
-    k_h: float
-    overturns: bool
-    tie_force_n: float
-
-
-class EstimateReply(Reply):
-    """One formula or standard in words."""
-
-    formula: Words
-    says: Words
-    beside: Words = Field(description="The simulation beside it.")
-
-
-class EstimatesReply(Reply):
-    """Quick estimates by formulas, for the piece without measures."""
-
-    rows: list[EstimateReply] = Field(description="The same in words.")
-
-    rocking_acceleration_m_s2: float
-    overturning_velocity_m_s: float
-    possible: float
-    overturning_ratio: float
-    equipment_loads: list[EquipmentLoadReply]
-    ac156_height_ratio: float | None = Field(description="z/h of the floor where the piece stands.")
-    ac156_rocking_s_ds_g: float | None = Field(
-        description="S_DS from which on a shake-table test by AC156 rocks the piece."
-    )
-    asce43_sliding_share: float = Field(description="Share of the motions that make it slide by ASCE 43.")
-    asce43_sliding_median_m: float | None = Field(
-        description="Median distance under those; null where none does."
-    )
-
-
-class TipOverReply(Reply):
-    """Moments about the front edge in one case without an earthquake."""
-
-    case: str
-    label: Words
-    restoring_moment_n_m: float
-    overturning_moment_n_m: float
-    margin: float | None = Field(description="The one over the other; null where nothing overturns it.")
-    tips_over: bool
 
 
 class EverydayReply(Reply):
     """What the piece withstands without an earthquake."""
 
     sentence: Words = Field(description="The worst case.")
-    cases: list[TipOverReply] = Field(description="The smallest margin first.")
+    cases: list[dict[str, Any]] = Field(description="Moments about the front edge, least margin first.")
 
 
-class VerdictReply(Reply):
+class VerdictReply(PartReply):
     """The outcome of a verification, the best option first."""
 
     complete: bool = Field(description="Whether it is final; else samples or curves are still to come.")
-    headline: Words
+    verdict: Words
     notes: list[Words] = Field(description="What must be said beside the numbers.")
     grades: dict[str, Words] = Field(description="What each grade of inputs means.")
-    intensity: float | None
-    intensity_class: str | None
-    slide_limit_m: float
+    jma_intensity: float | None
     motions: int
     samples: int
     runs: int
-    settled_runs: int = Field(description="Runs that were not made: stronger shaking told their outcome.")
-    precise: bool
-    seed: int
     seconds: float
     options: list[OptionReply]
-    not_possible: list[ImpossibleReply]
-    estimates: EstimatesReply
+    not_possible: list[dict[str, Any]] = Field(description="Options that cannot be put in place, and why.")
+    estimates: dict[str, Any] = Field(description="By formulas, without measures; `rows` are in words.")
     everyday: EverydayReply
 
 
@@ -222,79 +92,26 @@ class ZoneReply(Reply):
     shares: str = Field(description="Base 64 of bytes, 255 being 1: all y of the first x, then the next.")
 
 
-class RoomHitReply(Reply):
-    """How a piece hits the place of a person."""
-
-    piece: str
-    mass_kg: float
-    probability: ShareReply
-    speed_m_s: QuantilesReply = Field(description="Of the part of the piece that comes into the place.")
-    energy_J: QuantilesReply = Field(description="Kinetic energy of the piece.")  # noqa: N815 - SI's letter
-
-
-class RoomPlaceReply(Reply):
-    """What happens at the place of a person."""
-
-    name: str
-    hit: ShareReply
-    hit_by_day: float | None = Field(description="That somebody is there by day and is hit.")
-    hit_at_night: float | None
-    shut_in: ShareReply
-    by: list[RoomHitReply]
-
-
-class RoomDoorReply(Reply):
-    """Whether a door can be used afterwards."""
-
-    name: str
-    blocked: ShareReply
-    blocked_at_rest: bool
-
-
-class RoomPieceReply(Reply):
+class RoomPieceReply(PartReply):
     """What becomes of a piece."""
 
     name: str
-    engine: str
     probabilities: dict[str, ShareReply]
-    peak_slide_m: QuantilesReply
     falls: bool = Field(description="Whether it overturns so often that it is to be held.")
-    risk: float | None
-    outline_m: list[tuple[float, float]]
     fell: ZoneReply = Field(description="Where it lies having overturned: its fall zone.")
     stood: ZoneReply = Field(description="Where it ends without having overturned: its slide zone.")
 
 
-class CollisionReply(Reply):
-    """Two pieces that meet."""
-
-    pieces: tuple[str, str]
-    probability: ShareReply
-
-
-class RoomChangeReply(Reply):
+class RoomChangeReply(PartReply):
     """What a single change of the room brings."""
 
     what: str
     table: str = Field(description="Where it is in the scene: furniture or places.")
     label: Words
     sentence: Words
-    measure: str | None
-    drilled: bool = Field(description="Whether it takes holes in a wall.")
     measures: list[dict[str, Any]] | None = Field(description="What is put on the piece, as in a scene.")
-    at_m: tuple[float, float] | None
-    heading_rad: float | None
-    hit: ShareReply
     hit_change: ShareReply
-    shut_in: ShareReply
-    shut_in_change: ShareReply
-    overturned: ShareReply | None = Field(description="That the piece overturns with it; of a place, null.")
-    overturned_change: ShareReply | None
-    risk: float | None
     helps: bool
-    better: list[str] = Field(description="What it clearly betters: hit, shut_in, blocked, overturned.")
-    worse: list[str]
-    tags: list[Words] = Field(description="The same in words; that nothing is clear, where nothing is.")
 
 
 class TypicalRunReply(Reply):
@@ -304,27 +121,20 @@ class TypicalRunReply(Reply):
     direction_rad: float
 
 
-class RoomVerdictReply(Reply):
+class RoomVerdictReply(PartReply):
     """The verdict on a room."""
 
     complete: bool = Field(description="Whether it is final; else runs and changes are still to come.")
     verdict: Words
     best: Words
-    jma_intensity: float | None
-    intensity_class: str | None
     motions: int
     samples: int
     runs: int
-    seed: int
-    seconds: float | None
     hit: ShareReply
     shut_in: ShareReply
-    risk: float | None
-    places: list[RoomPlaceReply]
-    doors: list[RoomDoorReply]
+    places: list[dict[str, Any]] = Field(description="What happens at the places of people.")
+    doors: list[dict[str, Any]] = Field(description="Whether each can be used afterwards.")
     pieces: list[RoomPieceReply]
-    cell_m: float
-    collisions: list[CollisionReply]
     changes: list[RoomChangeReply]
     typical: TypicalRunReply | None = Field(description="A run to look at.")
 

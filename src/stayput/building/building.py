@@ -18,6 +18,7 @@ from stayput.building.modes import (
     strain_energy_damping,
     weight_above,
 )
+from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of
 from stayput.model.parameters import STANDARD_GRAVITY, check_fields, parameter, quantity
 from stayput.vocabulary import preset_meant
@@ -196,8 +197,9 @@ class Building(ShakenFloors, Brief):
         object.__setattr__(self, "structure", structure)
         instance_of("nonlinear", self.nonlinear, bool)
         instance_of("isolation", self.isolation, Isolation)
-        if not self.nonlinear and (self.yield_coefficient is not None or self.post_yield is not None):
-            raise InputError("building.needs_nonlinear", "nonlinear")
+        for name in ("yield_coefficient", "post_yield"):
+            if not self.nonlinear and getattr(self, name) is not None:
+                raise InputError("common.left_out", name, where=phrase("building.of_linear"))
         check_fields(self)
         object.__setattr__(self, "storeys", int(self.storeys))
         if self.structure == ISOLATED and self.fixed_period >= self.isolation.period:

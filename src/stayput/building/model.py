@@ -239,7 +239,7 @@ class ShearModel(ShakenFloors):
         number = isinstance(value, Real) and field != "masses"
         values = (value,) * wanted if number else list_of(field, value)
         if (count := len(values)) != wanted:
-            raise InputError("building.model_values", field, name=about.label, count=count, wanted=wanted)
+            raise InputError("common.so_many_values", field, name=about.label, count=count, wanted=wanted)
         row = tuple(about.check(value) for value in values)
         object.__setattr__(self, field, row)
         return row

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from stayput.building.histories import Energy
     from stayput.building.model import ShearModel
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
 
 FloorDrawing = Literal["acceleration", "velocity", "spectra"]
 """What `FloorResponse.plot` draws: peaks over the storeys, or floor spectra."""

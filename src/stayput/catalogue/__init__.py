@@ -58,7 +58,6 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "simulation",
         "solids",
         "space",
-        "standards",
         "verification",
     )
 }

@@ -4,10 +4,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Refusals
     "modes": ("The number of modes", "モードの数"),
     "structure": ("The structure", "建物の構造"),
-    "needs_nonlinear": (
-        "yield_coefficient and post_yield are given; they need a nonlinear building.",
-        "yield_coefficientやpost_yieldは、非線形の建物にだけ指定できます。",
-    ),
+    "of_linear": ("for a linear building", "線形の建物"),
     "period_of_isolated": (
         "The building's fixed-base period is {period:g} s; it must be below the isolators', {isolators:g} s.",
         "基礎固定時の建物の固有周期が{period:g}秒です。免震層の周期{isolators:g}秒より短くしてください。",
@@ -17,10 +14,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "免震層の減衰定数が{damping:g}です。降伏後の剛性比{post_yield:g}では{most:.3f}未満にしてください。",
     ),
     "masses": ("The number of masses", "質点の数"),
-    "model_values": (
-        "{name} has {count} values; it must have {wanted}, one a mass.",
-        "{name}の値が{count}個になっています。質量と同じ{wanted}個にしてください。",
-    ),
     "no_such_storey": (
         "The storey is {storey}; it must be a whole number from 1 to {most}, or {roof} for the roof.",
         "階が{storey}になっています。1～{most}の整数にしてください（屋上は{roof}）。",

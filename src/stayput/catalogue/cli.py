@@ -4,41 +4,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     "strength": ("Stated shaking", "指定した揺れ"),
     "baseline": ("Baseline", "基線"),
     "mean_removed": ("the mean of each component taken off", "各成分の平均を除去"),
-    "set_twice": (
-        "{key} is set by {flag} and by {other}; it must be set once.",
-        "{key}が{flag}と{other}で二重に指定されています。一方だけにしてください。",
-    ),
-    "set_no_item": (
-        "{name} is a list of {count}; --set must name one of them, the first as {name}[0], or the next to add.",
-        "{name}は{count}件のリストです。--setでは先頭を{name}[0]として番号で指定してください（末尾の次は追加）。",
-    ),
-    "set_no_list": (
-        "{name} is not a list; --set must name it without a number in brackets.",
-        "{name}はリストではありません。--setでは[番号]を付けずに指定してください。",
-    ),
-    "set_of_shaking": (
-        "{flag} sets nothing of a motion; it must set a key of shaking, such as shaking.unit.",
-        "{flag}は揺れに関係がありません。shaking.unitのようなshakingのキーを指定してください。",
-    ),
-    "spectra_of_floors": (
-        "--spectra is {value} without a building; it must come with --building, and without --storey.",
-        "--spectraが{value}になっています。--buildingとともに、--storeyなしで指定してください。",
-    ),
+    "of_a_motion": ("for a motion", "揺れのコマンド"),
+    "one_storey": ("without --building, or with --storey", "--buildingのない、または--storeyのある場合"),
     "other_format": ("the ending of the file {out}", "ファイル{out}の拡張子と同じもの"),
-    "input_twice": (
-        "{flag} and {other} are both -, standard input; one of them must be a file.",
-        "{flag}と{other}がどちらも-（標準入力）になっています。一方にはファイルを指定してください。",
-    ),
+    "standard_output": ("standard output", "標準出力"),
     "standard_input": ("{flag}, standard input,", "{flag}（標準入力）"),
     "input_too_large": (
         "{flag} is -, standard input, which has more than {most:,} bytes; give a file.",
         "{flag}が-（標準入力）になっていますが、{most:,}バイトを超えています。ファイルを指定してください。",
     ),
     "closed": ("it is closed", "閉じられています"),
-    "output_twice": (
-        "{flag} and {other} both go to standard output; one of them must go to a file, or be left out.",
-        "{flag}と{other}の両方が標準出力に書き出されます。一方はファイルに書き出すか、省いてください。",
-    ),
     "written_like": ("written like {example}", "{example}のような値"),
     "wrote": ("Wrote {file}", "{file}を書き出しました"),
     "wrote_motion": (
@@ -128,8 +103,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "コマンドを読み取れません（{said}）。書き方は{command} --helpで確認してください。",
     ),
     "same_file": (
-        "{flag} and {other} are both {value}; each must have a file of its own.",
-        "{flag}と{other}がどちらも{value}になっています。別々のファイルを指定してください。",
+        "{flag} and {other} are both {value}; one of them must be another file, or be left out.",
+        "{flag}と{other}がどちらも{value}になっています。一方を別のファイルにするか、省いてください。",
     ),
     "long_name": (
         "The name of the file or folder {file} is too long; it must be shorter.",
@@ -139,12 +114,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "No row of the inventory could be assessed; {rejects} says why, row by row.",
         "評価できる行がありませんでした。理由は行ごとに{rejects}に書かれています。",
     ),
-    "target": (
-        "--target is {value}; it must be japan[:LEVEL[,SOIL]], asce7:SDS,SD1[,TL] or a file that exists.",
-        (
-            "--targetが{value}になっています。"
-            "japan[:LEVEL[,SOIL]]、asce7:SDS,SD1[,TL]、または存在するファイルを指定してください。"
-        ),
+    "targets": (
+        "japan[:LEVEL[,SOIL]], asce7:SDS,SD1[,TL] or a file that exists",
+        "japan[:LEVEL[,SOIL]]、asce7:SDS,SD1[,TL]、または存在するファイル",
     ),
 }
 """Texts by their keys: English, Japanese."""

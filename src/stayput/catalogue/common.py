@@ -56,6 +56,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "list": ("a list", "リスト"),
     "numbers_in": ("numbers", "数値"),
     "items": ("items", "項目"),
+    "so_many_values": (
+        "{name} has {count} values; it must have {wanted}.",
+        "{name}の値が{count}個になっています。{wanted}個にしてください。",
+    ),
     "twice": ("{name} is given twice; give it once.", "{name}が2回あります。1回にしてください。"),
     "empty": ("{name} is empty; give one or more.", "{name}が空です。1つ以上指定してください。"),
     "of_type": ("of type {wanted}", "{wanted}型の値"),
@@ -66,10 +70,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "compilation_disabled": (
         "NUMBA_DISABLE_JIT is set, and the mechanics run as compiled code only; unset it.",
         "NUMBA_DISABLE_JITが設定されていますが、計算部はコンパイルしたコードでしか動きません。設定を解除してください。",
-    ),
-    "kinetic_above_static": (
-        "{name} is {kinetic:g}; it must not be above the static one, {static:g}.",
-        "{name}が{kinetic:g}になっています。静止摩擦係数（{static:g}）以下にしてください。",
     ),
     "too_many": (
         "{name} has {count:,} {what}; it must have at most {most:,}.",

@@ -4,39 +4,15 @@ TEXTS: dict[str, tuple[str, str]] = {
     "kind": ("Contents", "収納物の種類（kind）"),
     "doors": ("Doors", "扉（doors）"),
     "drawers": ("Drawers", "引き出し（drawers）"),
-    "doors_and_drawers": (
-        "Doors are {doors!r} and drawers are {drawers!r}; contents are behind doors or in drawers, not both.",
-        "扉が{doors!r}、引き出しが{drawers!r}になっています。どちらか一方だけを指定してください。",
+    # Where what was given has no place
+    "behind_doors": ("beside doors", "扉のある家具"),
+    "without_catch": (
+        "without hinged doors or drawers with catches",
+        "開き戸も留め具付きの引き出しもない家具",
     ),
-    "no_catch": (
-        (
-            "The catch holds {catch:g} N, but doors are {doors!r} and drawers are {drawers!r}; a catch needs "
-            "hinged doors, or drawers with catches."
-        ),
-        (
-            "留め具の保持力が{catch:g} Nですが、扉が{doors!r}、引き出しが{drawers!r}になっています。留め具は開き戸か"
-            "留め具付きの引き出しにだけ指定してください。"
-        ),
-    ),
-    "without_doors": (
-        "The {name} is {value:g} {unit}, but doors are {doors!r}; they must be one of {needed}.",
-        "{name}が{value:g} {unit}ですが、扉が{doors!r}になっています。扉を次のいずれかにしてください：{needed}",
-    ),
-    "in_drawers": (
-        "The {name} is {value:g} m, but drawers are {drawers!r}; it is for things on shelves, so give only one of the two.",
-        (
-            "{name}が{value:g} m、引き出しが{drawers!r}になっています。"
-            "前者は棚に置いた物のための値です。どちらか一方だけを指定してください。"
-        ),
-    ),
-    "loads_and_shelves": (
-        "The number of loads is {loads} and that of shelves is {shelves}; give one load for each shelf.",
-        "荷重の数が{loads}、棚の数が{shelves}になっています。棚ごとに荷重を1つ指定してください。",
-    ),
-    "loads_and_share": (
-        "The loads are {loads:g} kg in all and their share of the mass is {share:g}; give only one of the two.",
-        "荷重の合計が{loads:g} kg、質量の割合が{share:g}になっています。どちらか一方だけを指定してください。",
-    ),
+    "without_doors": ("without doors that are {needed}", "扉が{needed}でない家具"),
+    "in_drawers": ("for contents in drawers", "引き出しのある家具"),
+    "beside_loads": ("beside loads of the shelves", "棚の荷重（loads）を指定した家具"),
     "kinetic_friction": ("The kinetic friction of the contents", "収納物の動摩擦係数"),
     "too_heavy": (
         "The loads of the shelves are {loads:g} kg in all; they must be less than the mass of the furniture with them, {mass:g} kg.",

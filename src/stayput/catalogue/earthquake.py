@@ -13,12 +13,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # The entry
     "knownBy": ("What do you know of it?", "揺れの強さを何で決めますか"),
-    "by_intensity": ("JMA intensity", "震度"),
-    "by_mmi": ("Modified Mercalli intensity", "改正メルカリ震度"),
-    "by_pga": ("Peak acceleration of the ground", "地面の最大加速度"),
-    "by_pgv": ("Peak velocity of the ground", "地面の最大速度"),
-    "by_sa": ("Spectral acceleration", "加速度応答スペクトル"),
-    "by_earthquake": ("Magnitude and distance", "マグニチュードと距離"),
+    "earthquake": ("Magnitude and distance", "マグニチュードと距離"),
     "mmi": ("Modified Mercalli intensity", "改正メルカリ震度"),
     "mmi_4": ("IV, light", "4（やや弱い）"),
     "mmi_5": ("V, moderate", "5（中程度）"),

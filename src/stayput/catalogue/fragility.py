@@ -25,10 +25,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "sa": ("spectral acceleration at {period:g} s", "周期{period:g}秒の加速度応答"),
     # counts and shapes
-    "not_bool": (
-        "The type of fallen is {dtype}; it must be bool, and missing runs go apart.",
-        "fallenの型が{dtype}になっています。bool型にしてください（打ち切った計算はmissingで指定します）。",
-    ),
+    "booleans": ("of type bool, with missing runs apart", "bool型（打ち切った計算はmissingで指定）"),
     "axes": ("of {dimensions} axes, none empty", "{dimensions}次元で、どの軸も1以上の長さ"),
     "either": ("{first} or {second}", "{first}または{second}"),
     "list_shapes": (
@@ -39,13 +36,13 @@ TEXTS: dict[str, tuple[str, str]] = {
         "A level has {fell:g} falls of {runs:g} runs; it must have whole numbers, no more falls than runs.",
         "転倒数が{fell:g}、計算数が{runs:g}の段階があります。整数とし、転倒数は計算数以下にしてください。",
     ),
-    "no_runs": (
-        "All runs were given up or there are none; a curve needs at least one run.",
-        "有効な計算がありません。曲線には少なくとも1件の計算が必要です。",
-    ),
     "unknown_measure": (
         "{name} is {value}{hint}; it must be one of {known}, or SA(T) with a period T in seconds: SA(0.5).",
         "{name}が{value}になっています{hint}。{known}のいずれか、または周期T秒のSA(T)（例：SA(0.5)）にしてください。",
+    ),
+    "no_runs": (
+        "There are no runs, or all were given up; at least one is needed.",
+        "有効な計算がありません。少なくとも1件の計算が必要です。",
     ),
     # probabilities, differences and capacities in words
     "probability": ("{estimate} % ({low} to {high} %)", "{estimate}%（{low}～{high}%）"),
@@ -130,10 +127,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     # sample size
     "half_width": ("Half width", "信頼区間の半幅"),
     "share": ("Share", "割合"),
-    "plan_without_runs": (
-        "The probability has 0 runs; a plan needs at least one.",
-        "計算が0件の確率です。必要なサンプル数の見積もりには少なくとも1件の計算が必要です。",
-    ),
     # files for loss tools
     "not_fitted": (
         "The curve {name} is {state}; it must be fitted to be written for loss tools.",
@@ -155,13 +148,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     "total": ("Number of pieces", "調べた個数"),
     "fell": ("Number of pieces that fell", "倒れた個数"),
     "samples": ("Samples", "試行数"),
-    "seed": ("Seed", "乱数の種"),
     "level": ("Level of intensity", "震度の段階"),
+    "rising_levels": ("three or more, each above the one before", "小さい順に並べた3個以上の段階"),
     "scatter": ("Scatter of the intensity", "震度のばらつき"),
-    "levels_of_fallen": (
-        "The levels have {count} values; there must be three or more, each above the one before.",
-        "震度の段階が{count}個あります。3個以上を小さい順に指定してください。",
-    ),
     "left_out_state": (
         "{option} is not in the files for loss tools: it has no curve ({state}).",
         "{option}には曲線がないため、損失評価ツール用のファイルに含まれていません（{state}）。",

@@ -1,10 +1,7 @@
 """Inventories of furniture."""
 
 TEXTS: dict[str, tuple[str, str]] = {
-    "in_space": (
-        "The scenario has dimensions = 3; an inventory is assessed in the plane.",
-        "シナリオがdimensions = 3になっています。一覧の評価は平面の解析だけに対応しています。",
-    ),
+    "in_the_plane": ("2 or left out, for an inventory", "一覧の評価では2（または省略）"),
     # the call
     "memory": ("Memory", "メモリ"),
     "the": ("The {what}", "{what}"),
@@ -38,6 +35,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "is_empty": ("it is empty", "空です"),
     "no_rows": ("a table with a row below its header", "見出しの下に行のある表"),
     "other_kind": ("a file of {kind}", "{kind}のファイル"),
+    "a_row": ("The row", "行"),
     "open_quote": (
         (
             "In row {row} of the inventory (line {line}) a quote opens that does not close; "
@@ -45,7 +43,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         "家具一覧の{row}行目（ファイルの{line}行目）で始まる引用符が、{most:,}文字以内に閉じられていません。",
     ),
-    "bad_row": ("The row cannot be read: {reason}.", "行を読み込めません：{reason}。"),
     # header
     "row_length": (
         "The row has {cells} cells; it must have one for each of {columns} columns.",
@@ -67,20 +64,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Cells {cells} of the sheet are merged over several rows; each row must have its own, the headings one row.",
         "シートのセル{cells}が複数行にわたって結合されています。結合を解除して各行に値を入れ、見出しは1行にしてください。",
     ),
-    "total_row": (
-        "{name} is {value}: the row is a total, and no piece.",
-        "{name}が{value}です。合計の行で、家具ではありません。",
-    ),
+    "of_a_piece": ("that of a piece, and not of a total", "合計ではない家具のもの"),
     "cell_unit": ("a number that is shown in {unit}", "単位{unit}付きで表示される数値"),
     "characters": ("characters", "文字数"),
-    "control_character": (
-        "{name} has a control character, a line break or an invisible one; it must be one line of plain text.",
-        "{name}に制御文字、改行または目に見えない文字があります。1行の普通の文字だけにしてください。",
-    ),
-    "not_plain_number": (
-        "{name} is {value}; it must be a plain number{unit}{hint}.",
-        "{name}が{value}になっています。数値だけ{unit}にしてください{hint}。",
-    ),
+    "plain_number": ("a plain number{unit}", "数値だけ{unit}"),
     "comma": (
         "written without its point or comma, which may be of decimals or of thousands",
         "点やコンマのない数値（小数点か桁区切りか分かりません）",
@@ -94,16 +81,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "parts": ("parts", "要素"),
     "missing_number": ("numbers between all semicolons", "セミコロンで区切った数値"),
     # rows
-    "id_twice": (
-        "{name} is {id}, which is that of row {row}; every row must have its own.",
-        "{name}の{id}は{row}行目と同じです。行ごとに異なるものにしてください。",
-    ),
-    "missing_beside": ("{name} is missing; {other} needs it.", "{name}がありません。{other}に必要です。"),
+    "row": ("row {row}", "{row}行目"),
     "place_missing": ("given with stations or a shake map", "観測点や地震動マップを使うときは緯度と経度"),
-    "costs_count": (
-        "costs has {costs} numbers and measures has {measures}; they must be as many.",
-        "対策の費用は{costs}個、対策は{measures}個です。同じ数にしてください。",
-    ),
     "building_missing": (
         "{name} is missing; a storey needs it: in a column building, or under [shaking] of the scenario.",
         "{name}がありません。階を指定するときは、列「建物」か、シナリオの[shaking]のbuildingとstoreyに書いてください。",
@@ -126,27 +105,13 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The building {name} is another one in {scenario}; it must be the same.",
         "建物{name}の内容が{scenario}では異なります。同じにしてください。",
     ),
-    "no_scenarios": (
-        "The folder of scenarios is {path}; it must hold files that end in .toml.",
-        "シナリオのフォルダー{path}に.tomlファイルがありません。",
-    ),
-    "station_missing": (
-        "{name}.toml has no [station], and others have one; all must have it or none.",
-        "{name}.tomlに[station]がありません。すべてのファイルに書くか、どれにも書かないでください。",
-    ),
+    "scenarios": ("a folder with files that end in .toml", "拡張子が.tomlのファイルのあるフォルダー"),
+    "as_in_others": ("given as in the other files", "ほかのファイルと同様の指定"),
     "map_beside_stations": ("beside stations or several scenarios", "観測点のある、または複数のシナリオ"),
-    "buildings_not_a_table": (
-        "buildings is not a table; it must be one of [buildings.NAME].",
-        "buildingsがテーブルではありません。[buildings.NAME]の形で書いてください。",
-    ),
     # shake maps
     "period": ("The period of column {column}", "列{column}の周期"),
     "on_the_map": ("{name} on the shake map", "地震動マップ上の{name}"),
     "in_row_of_the_map": ("{name} in row {row} of the shake map", "地震動マップ{row}行目の{name}"),
-    "map_place_twice": (
-        "Row {row} of the shake map is at {lat:g}°, {lon:g}°, as row {before} is; it must be there once.",
-        "地震動マップの{row}行目の位置（{lat:g}°、{lon:g}°）は{before}行目と同じです。1回だけにしてください。",
-    ),
     "map_not_csv": ("CSV in UTF-8 or ShakeMap's grid.xml, uncompressed", "圧縮していないCSVかgrid.xml"),
     "map_empty": ("a map with at least one place", "地点のあるマップ"),
     "map_columns": (
@@ -160,10 +125,6 @@ TEXTS: dict[str, tuple[str, str]] = {
             "（周期T秒、減衰5%の加速度応答スペクトル [g]、例：sa_0.3）のいずれか1つにしてください"
             "（sigmaを加えられます。複数あるときは1つを選びます）。"
         ),
-    ),
-    "map_cells": (
-        "Row {row} of the shake map has {cells} cells; it must have {columns}.",
-        "地震動マップの{row}行目のセルは{cells}個です。{columns}個にしてください。",
     ),
     # the folder of the results
     "other_assessment": (

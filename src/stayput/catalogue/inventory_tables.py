@@ -11,17 +11,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "a JSON object of texts, at most 1 MiB",
         "文字列からなるJSONのオブジェクト（1 MiBまで）",
     ),
-    "mapped_missing": (
-        "The mapping says {name}={header}, and the table has no such column; it has {names}.",
-        "列の対応に{name}={header}とありますが、表にその列がありません。表の列：{names}。",
-    ),
     "mapped_unclear": (
         "The mapping names {header}, and two columns are called so; it must have the whole name of one.",
         "列の対応の{header}に当たる列が2つあります。列名を全部書いてください。",
-    ),
-    "mapped_unit": (
-        "The mapping says {name}={header}; the unit must be one of {known}.",
-        "列の対応に{name}={header}とあります。単位は次のいずれかにしてください：{known}。",
     ),
     # headings
     "no_known_column": (
@@ -87,10 +79,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{header}には階が入っています（stayputのfloorは床材です）",
     ),
     # shake maps
-    "grid": (
-        "The shake map's file is {path}; it must be a ShakeMap grid (XML): {reason}.",
-        "地震動マップのファイル{path}は、ShakeMapのグリッド（XML）として読めません：{reason}。",
-    ),
     "grid_numbers": (
         "its grid_data must hold numbers alone, a line for each place",
         "grid_dataには、地点ごとに1行の数値だけを書いてください",
@@ -114,21 +102,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "地点は、緯度と経度の規則的な格子（2×2以上）にしてください",
     ),
     "grid_broken": ("it is no well-formed XML ({said})", "XMLの形式が正しくありません（{said}）"),
-    "map_unit": (
-        "The shake map has {column}; its unit must be one of {known}, as in pga[%g].",
-        "地震動マップの{column}の単位が分かりません。{known}のいずれかをpga[%g]のように書いてください。",
-    ),
-    "map_field": (
-        "The shake map {path} has no such field, or several; the field must be one of {known}.",
-        "地震動マップ（{path}）の項目を1つ指定してください。使えるもの：{known}。",
-    ),
-    "in_the_map": ("{name} of the shake map", "地震動マップの{name}"),
     "map_is_silent": (
         "The place is {lat:g}°, {lon:g}°, where the shake map has no value.",
         "位置（{lat:g}°、{lon:g}°）には地震動マップの値がありません。",
     ),
     "no_deviations": ("a file with values of the field {name}", "{name}の値のあるファイル"),
-    "unit_of": ("The unit of {name} of the uncertainty", "不確かさの{name}の単位"),
+    "unit_of": ("The unit of {name}", "{name}の単位"),
     "other_event": (
         "The map {path} is of {event} and the uncertainty {other} of {other_event}; they must be of one.",
         "マップ{path}は{event}、不確かさ{other}は{other_event}のものです。同じ地震の同じ版でなければなりません。",
@@ -138,14 +117,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "マップ{path}と不確かさ{other}から、同じ地震のものかどうかが分かりません。確かめてください。",
     ),
     "other_grid": ("one for the places of the shake map", "地震動マップと同じ地点のもの"),
-    "uncertainty_of_csv": (
-        "An uncertainty is given beside a map in CSV; that must have it in its column sigma.",
-        "CSVの地震動マップに不確かさのファイルが指定されています。CSVではsigmaの列に書いてください。",
-    ),
-    "no_map": (
-        "A field or an uncertainty is given without a shake map; it needs one.",
-        "地震動マップなしに、その項目または不確かさが指定されています。",
-    ),
+    "of_csv": ("beside a map in CSV, whose column sigma has it", "CSVの地震動マップ（sigmaの列に書きます）"),
     # exports
     "export": ("The format of an export", "書き出しの形式"),
     # cells

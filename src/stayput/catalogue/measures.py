@@ -239,10 +239,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "There is no wall behind the piece; for “{measure}” the room must have a left_wall.",
         "「{measure}」には背面の壁が必要です。",
     ),
-    "too_far": (
-        "The gap to the wall is {gap:g} m; for “{measure}” it must be at most {most:g} m.",
-        "家具と壁のすき間が{gap:g} mあります。「{measure}」を使うには{most:g} m以下にしてください。",
-    ),
+    "gap_for": ("The gap to the wall for “{measure}”", "「{measure}」のための家具と壁のすき間"),
     "no_ceiling": (
         "{measure} need a ceiling; the room must have one, or ceiling_height be given.",
         "「{measure}」には天井が必要です。天井の高さを指定してください。",
@@ -266,17 +263,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "“{measure}” preload is {preload:g} N; it must be below the ceiling's strength, {strength:g} N.",
         "「{measure}」の突っ張り力は{preload:g} Nです。天井の強さ（{strength:g} N）より小さくしてください。",
     ),
-    "length": (
-        "{measure} have {space:g} m below the ceiling; that must be between {low:g} and {high:g} m.",
-        "家具と天井の間が{space:g} mです。「{measure}」を使うには{low:g}～{high:g} mにしてください。",
-    ),
-    "share": (
-        "“{measure}” share is {share:g}; it must be no more than the upper half of this piece holds.",
-        (
-            "「{measure}」の割合は{share:g}ですが、この家具の上半分にはそれだけの重さがありません。"
-            "小さくしてください。"
-        ),
-    ),
+    "space_for": ("The space below the ceiling for “{measure}”", "「{measure}」のための天井までの空き"),
+    "upper_half": ("no more than the upper half of this piece holds", "家具の上半分にある分以下"),
     "kinetic_friction": ("The kinetic friction of “{measure}”", "「{measure}」の動摩擦係数"),
 }
 """Texts by their keys: English, Japanese."""

@@ -2,30 +2,17 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     # Parts of the labels of fields, and what other numbers are called
-    "load_width": ("load_width", "棚の荷物の奥行き（load_width）"),
     "static_friction": ("{surface} static friction", "{surface}の静止摩擦係数"),
     "kinetic_friction": ("{surface} kinetic friction", "{surface}の動摩擦係数"),
     "field_of": ("“{owner}” {name}", "「{owner}」の{name}"),
     # Bodies
-    "cg_outside": (
-        (
-            "Body cg_offset is ({x:g}, {z:g}) m; the centre of gravity must lie inside the section, "
-            "so below {half_width:g} m sideways and {half_height:g} m upwards in size."
-        ),
-        (
-            "重心のずれ（cg_offset）が ({x:g}, {z:g}) mになっています。重心は断面の内側になければなりません。"
-            "横は{half_width:g} m未満、縦は{half_height:g} m未満にしてください。"
-        ),
+    "inside_the_section": (
+        "inside the section: below {width:g} m sideways and {height:g} m upwards in size",
+        "断面の内側（横{width:g} m未満、縦{height:g} m未満）の値",
     ),
-    "cg_beside_base": (
-        (
-            "With base_insets {insets} the base of the body of {width:g} m does not carry its centre of gravity, "
-            "{x:g} m right of the middle; use smaller insets."
-        ),
-        (
-            "base_insets が{insets}のとき、幅{width:g} mの家具の底面は中央から{x:g} m右の重心を支えられません。"
-            "より小さい値を指定してください。"
-        ),
+    "bearing_insets": (
+        "smaller, so that the base carries the centre of gravity, {x:g} m right of the middle",
+        "中央から{x:g} m右の重心を底面が支えられる、より小さい値",
     ),
     "not_of_its_shape": (
         "{name} follows from the shape of the body; make another body with Body.hull, .box, .cylinder or .mesh.",
@@ -63,6 +50,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Quick estimates
     "tie_height": ("Height of the tie", "取付け高さ"),
     "peak_acceleration": ("Peak acceleration", "最大加速度"),
+    "vertical_peak": ("Peak vertical acceleration", "鉛直方向の最大加速度"),
     "peak_velocity": ("Peak velocity", "最大速度"),
     "equivalent_frequency": ("Equivalent frequency", "等価振動数"),
     "file_to_write": ("The file to write", "書き込むファイル"),
@@ -72,15 +60,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     "no_folder": ("in a folder that exists", "存在するフォルダーの中のファイル"),
     "file_is_folder": ("a file, and no folder", "フォルダーではなくファイル"),
     "file_is_input": ("another file than {source}, which is read", "読み込む{source}とは別のファイル"),
-    "no_ffmpeg": (
-        (
-            "The file to write is {file}; an MP4 needs the program ffmpeg, which is not installed, "
-            "so install it or choose .gif or .html."
-        ),
-        (
-            "書き込むファイルは{file}ですが、MP4に必要なffmpegがインストールされていません。"
-            "ffmpegをインストールするか、.gifか.htmlを選んでください。"
-        ),
+    "without_ffmpeg": (
+        "one in .gif or .html: an MP4 needs ffmpeg, which is not installed",
+        "MP4に必要なffmpegがインストールされていないため、.gifか.htmlのファイル",
     ),
     # Optional libraries
     "not_installed": (

@@ -18,20 +18,15 @@ TEXTS: dict[str, tuple[str, str]] = {
     "name_count": ("Number of motions", "地震動の数"),
     "family": ("The family", "地震の種類"),
     "the_component": ("The component", "成分"),
+    "location": ("The location", "ロケーション"),
     "the_motion": ("The motion", "地震動"),
     # The samples of a motion.
-    "samples_not_a_row": (
-        "Motion {component} {kind}; it must be one row of real numbers without gaps [m/s²].",
-        "地震動の{component}成分{kind}。欠測のない実数（m/s²）を1列に並べて指定してください。",
+    "samples_of": ("Motion {component}", "地震動の{component}成分"),
+    "row_of_samples": (
+        "one row of real numbers without gaps [m/s²]",
+        "欠測のない実数（m/s²）を1列に並べたデータ",
     ),
-    "masked": ("has gaps (masked samples)", "に欠測（マスクされたデータ）があります"),
-    "no_array": ("is not an array", "が配列ではありません"),
-    "of_kind": ("holds {kind} values", "が{kind}型の値です"),
-    "of_shape": ("has shape {shape}", "の形状が{shape}です"),
-    "samples_count": (
-        "Motion {component} has {count} samples; it must have 2 to {most}.",
-        "地震動の{component}成分のデータが{count}個です。2～{most}個にしてください。",
-    ),
+    "samples_count": ("The number of samples of {component}", "{component}成分のデータの数"),
     "samples_not_finite": (
         "Motion {component} is {value} at sample {index}; it must be finite.",
         "地震動の{component}成分に数値でない値が含まれています（データ番号{index}が{value}）。",
@@ -39,10 +34,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "samples_too_large": (
         "Motion {component} at sample {index} is {value:g} m/s²; it must be from -{most:g} to {most:g} m/s².",
         "加速度が大きすぎます（{component}成分の{index}番で{value:g} m/s²）。±{most:g} m/s²以内の値にし、単位を確かめてください。",
-    ),
-    "components_differ": (
-        "Motion {component} has {count} samples and x has {x_count}; they must be as many.",
-        "地震動の{component}成分のデータは{count}個、x成分は{x_count}個です。同じ数にしてください。",
     ),
     # What is done with a motion.
     "rotation_without_y": (
@@ -70,10 +61,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The motion lasts {duration:g} s; an intensity needs at least {least} s.",
         "記録が短すぎて震度を求められません（{duration:g}秒）。{least}秒以上必要です。",
     ),
-    "unknown_intensity": (
-        "The intensity is {intensity!r}; it must be a number or one of {known}.",
-        "震度が「{intensity}」になっています。数値か、次のいずれかを指定してください：{known}",
-    ),
     "still_component": (
         "The {component} component of {motion} is still; it has no Sa, and cannot meet a target.",
         "{motion}の{component}成分は揺れていません。加速度応答スペクトルSaがなく、目標スペクトルにも合わせられません。",
@@ -82,10 +69,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The motion is a still floor; it cannot be scaled to an intensity.",
         "揺れのない記録なので、震度に合わせることができません。",
     ),
-    "periods_shape": (
-        "The periods have shape {shape}; they must be one row, each longer than the one before it.",
-        "周期の配列の形状が{shape}です。1個以上の周期を短い順に1列に並べて指定してください。",
-    ),
+    "rising_row": ("one row, each longer than the one before", "1個以上の周期を短い順に並べた1列"),
     # Computed motions.
     "coarse_step": (
         "dt is {step:g} s; at most {most:g} s, a {fewest}th of the period or of the pulse, is allowed.",
@@ -104,10 +88,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "motion_dt_differs": (
         "The dt of {component} is {dt:g} s; it must be that of x, {x_dt:g} s.",
         "{component}成分の時間刻みが{dt:g}秒です。x成分と同じ{x_dt:g}秒でなければなりません。",
-    ),
-    "no_such_channel": (
-        "The component {component!r} is no channel of the file; it must be one of {channels}.",
-        "「{component}」というチャンネルはファイルにありません。次から選んで入力してください：「{channels}」",
     ),
     "ambiguous_channel": (
         "The component {component!r} is more than one channel of the file; it must be one of {channels}.",
@@ -190,9 +170,9 @@ TEXTS: dict[str, tuple[str, str]] = {
             "地面の揺れの地震動を使ってください"
         ),
     ),
-    "ground_alone_spectrum": (
-        "a target spectrum is one of the ground, so give motions of the ground",
-        "目標スペクトルは地面の揺れのものです。地面の揺れを使ってください",
+    "ground_alone_here": (
+        "here motions of the ground alone may be given",
+        "ここで使えるのは地面の揺れだけです",
     ),
     "ground_alone_suite": (
         "others beside it are of the ground, so give motions of the ground alone, or of upper floors alone",
@@ -201,14 +181,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "ground_alone_building": (
         "a building stands on the ground, so give it no building, as the floor's own motion, or a motion of the ground",
         "建物に入力できるのは地面の揺れだけです。建物を指定せずに床の揺れとして使うか、地面の揺れを使ってください",
-    ),
-    "ground_alone_inventory": (
-        "an inventory takes motions of the ground alone",
-        "家具一覧の評価に使えるのは地面の揺れだけです",
-    ),
-    "ground_alone_fallen": (
-        "an intensity from what fell takes motions of the ground alone",
-        "転倒物からの震度の推定に使えるのは地面の揺れだけです",
     ),
     "ground_alone_measure": (
         "curves over PGA, PGV, Sa or MMI are of the ground, so take PFA, PFV or JMA, or a motion of the ground",
@@ -254,10 +226,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The station has {count} sensors, with the locations {known}; {option} must name one of them.",
         "観測点に地震計が{count}つあります（ロケーション：{known}）。使うものを{option}で指定してください。",
     ),
-    "no_such_location": (
-        "The location is {location!r}; it must be one of those of the station: {known}.",
-        "ロケーション「{location}」はこの観測点にありません。次から選んでください：{known}",
-    ),
     "trace_gaps": (
         "The trace of {channel!r} has gaps or is in several parts; merge it to one that is complete.",
         "「{channel}」のトレースに欠測があるか、複数に分かれています。欠測のない1つのトレースに結合してください。",
@@ -278,10 +246,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The suite has 1 motion; a standard deviation needs at least 2.",
         "地震動が1つしかありません。標準偏差を求めるには2つ以上必要です。",
     ),
-    "suite_no_folder": (
-        "The suite {path!r} is no folder; it must be a folder or a list of files.",
-        "「{path}」はフォルダではありません。地震記録のフォルダかファイルの一覧を指定してください。",
-    ),
+    "the_suite": ("The suite", "地震動群"),
+    "folder_of_records": ("a folder, or a list of files", "地震記録のフォルダかファイルの一覧"),
     "suite_left_out": (
         "Of the folder {name!r} these files are left out: {files}.",
         "フォルダ「{name}」の次のファイルは使いません：{files}。",
@@ -299,10 +265,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "target_lengths": (
         "The target has {periods} periods and {values} values of Sa; it must have as many, at least 2.",
         "目標スペクトルの周期が{periods}個、Saが{values}個です。同じ数で、2個以上にしてください。",
-    ),
-    "band_not_two": (
-        "The band is {value}; it must be two periods (shortest, longest) [s].",
-        "周期の範囲が{value}になっています。2つの周期（最短、最長）[s] を指定してください。",
     ),
 }
 """Texts by their keys: English, Japanese."""

@@ -18,10 +18,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "binary (other formats can be read with ObsPy for Motion.from_obspy)",
         "テキストでないファイル（ほかの形式は「ObsPy」で読み、「Motion.from_obspy」で渡せます）",
     ),
-    "file_unreadable": (
-        "The motion file {path!r} cannot be read ({reason}); it must be readable.",
-        "「{path}」を読み込めません（{reason}）。読み込めるファイルを指定してください。",
-    ),
     "file_long_line": (
         "The motion file {path!r} has a line of {length} characters; {most} are allowed.",
         "「{path}」に長すぎる行があります（{length}文字）。1行は{most}文字までです。",
@@ -197,10 +193,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Channel {channel} is of no accelerometer by its SEED code, whose letter {letter} must be N, L or G.",
         "チャンネル{channel}は、SEEDコードの計器の文字が{letter}で、加速度計（N、L、G）のものではありません。",
     ),
-    "no_obspy": (
-        "ObsPy is absent; it must be installed to read {format}: pip install obspy.",
-        "{format}を読むにはObsPyが必要です。「pip install obspy」でインストールしてください。",
-    ),
     "seismogram_unread": (
         "ObsPy cannot read the file; it must be complete.",
         "ObsPyでファイルを読み取れません。壊れていないファイルが必要です。",
@@ -298,14 +290,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "時刻の見出しが{column}になっています。単位は秒またはミリ秒でなければなりません。",
     ),
     # What single formats lack.
-    "cosmos_header_count": (
-        "The {kind} header has {count} values; it must have {wanted}.",
-        "「{kind}-header」の値が{count}個です。{wanted}個必要です。",
-    ),
-    "jma_names": (
-        "The component names are {names}; they must be among NS, EW, UD, each once.",
-        "成分名が「{names}」になっています。「NS」「EW」「UD」のいずれかを1回ずつ使ってください。",
-    ),
     "cosmos_another_end": (
         "A block of {begun} ends as one of {ended}; it must be the same.",
         "「{begun}」のブロックが「{ended}」として終わっています。同じでなければなりません。",
@@ -329,10 +313,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "csmip_channels_missing": (
         "The header counts {stated} channels and the file has {count}; it may have been cut.",
         "ヘッダーによるとチャンネルは{stated}個ですが、ファイルには{count}個しかなく、途中で切れているかもしれません。",
-    ),
-    "knet_direction": (
-        "The header's direction is {direction}; it must be N-S, E-W, U-D or 1 to 6.",
-        "ヘッダーの方向が{direction}になっています。N-S、E-W、U-D、または1～6のいずれかでなければなりません。",
     ),
     "velocity": ("velocity", "速度"),
     "displacement": ("displacement", "変位"),

@@ -1,10 +1,6 @@
 """Scenario files: what is wrong with one. Names of keys stand as in the file."""
 
 TEXTS: dict[str, tuple[str, str]] = {
-    "measure_by_name": (
-        "measures holds {value}; it must hold measures, such as MEASURES['belt']() or measures.Belt().",
-        "measuresに{value}が含まれています。MEASURES['belt']()やmeasures.Belt()のような対策を指定してください。",
-    ),
     "in_table": ("In [{table}]", "[{table}]"),
     # What a key must be, from the JSON Schema
     "unknown_key": (
@@ -32,10 +28,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{few}～{many}文字の文字列（制御文字を除く）",
     ),
     # Keys that do not go together
-    "no_preset": (
-        "{name} is missing; it must be given where no {preset} is.",
-        "{name}がありません。{preset}を使わない場合は必要です。",
-    ),
+    "without_preset": ("given where no preset is", "プリセットを使わない場合の値"),
     "one_shape": (
         (
             "The piece {name!r} needs one shape: preset; width, length and height; diameter and height; "
@@ -46,26 +39,12 @@ TEXTS: dict[str, tuple[str, str]] = {
             "bottom・top・height、meshのいずれか）。"
         ),
     ),
-    "on_and_height": (
-        "{name} has a height of {value:g} m; what stands on another piece must have x and y alone.",
-        "{name}に高さ（{value:g} m）が指定されています。他の家具の上に置く物にはxとyだけを指定してください。",
-    ),
-    "stands_on": (
-        ("{name} is {value}, which names no piece before it; a piece stands on one that is given before."),
-        "{name}が{value}になっていますが、それより前にその名前の家具がありません。",
-    ),
-    "no_such_piece": (
-        "{name} is {value}, which names no piece.",
-        "{name}が{value}になっていますが、その名前の家具がありません。",
-    ),
+    "given_before": ("the name of a piece given before it", "それより前にある家具の名前"),
     "of_several": (
         "furniture must here be one preset or box written as [furniture], without [plan].",
         "furnitureは、ここでは[plan]なしの[furniture]（presetか直方体）にしてください。",
     ),
-    "measures_on_solid": (
-        "The piece {name!r} has measures; what they hold must be a preset or a box.",
-        "家具{name!r}に対策が指定されています。対策はpresetか直方体の家具だけに使えます。",
-    ),
+    "of_a_solid": ("for a piece that is neither a preset nor a box", "presetでも直方体でもない家具"),
     "no_such_path": (
         "{path!r} is no key of the file; it must be like room.left_wall.gap or joints[0].strength.",
         "{path!r}というキーはありません。room.left_wall.gapやjoints[0].strengthのように指定してください。",
@@ -95,10 +74,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "true or false without shaking.record",
         "shaking.recordがなければtrueかfalse",
     ),
-    "vertical_across": (
-        "{name} is {file}, a vertical record ({label!r}); it must be a horizontal one.",
-        "{name}の{file}は上下動の記録（「{label}」）です。水平の記録を指定してください。",
-    ),
+    "horizontal": ("a horizontal record", "水平の記録"),
     "member_of_one": ("without a suite", "suiteのないファイル"),
     "in_python": (
         "Given in Python, and not or not fully in this file: {what}.",
@@ -106,7 +82,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "same_name": (
         "{name} is {value}; it must not be that of {other}.",
-        "{name}が{value}になっていますが、{other}と同じ名前です。別の名前にしてください。",
+        "{name}が{value}になっていますが、{other}と同じです。別のものにしてください。",
     ),
     "option_of_nothing": ("the option with nothing in place", "何も付けない案"),
     # The file itself

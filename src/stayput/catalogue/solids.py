@@ -31,11 +31,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The body is {extents} m; each side must be between {low:g} and {high:g} m{hint}.",
         "大きさが{extents} mになっています。各辺を{low:g}～{high:g} mにしてください{hint}。",
     ),
+    "corners": ("corners", "頂点"),
     "is_the_unit": (" (is the unit {unit!r}?)", "（単位は{unit!r}ではありませんか）"),
-    "too_many": (
-        "The convex body has {count} corners; at most {most} are allowed, so simplify the shape first.",
-        "凸形状の頂点が{count}個あります。形を簡略化して{most}個以下にしてください。",
-    ),
     "not_convex": (
         "The shape fills {share:.4g} of its convex hull; it must be convex and fill at least {least:g}.",
         "形の体積が凸包の{share:.4g}倍しかありません。凸形状（{least:g}倍以上）にしてください。",
@@ -57,13 +54,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The inertia is not symmetric: two entries across the diagonal differ by {difference:.3g} kg m².",
         "慣性テンソルが対称ではありません（対角線を挟む成分の差{difference:.3g} kg m²）。対称にしてください。",
     ),
-    "inertia_not_possible": (
-        "The principal moments of inertia are {moments} kg m²; each must be positive and at most the sum of the other two.",
-        "主慣性モーメントが{moments} kg m²になっています。どれも正で、ほかの2つの和以下にしてください。",
+    "moments": ("The principal moments of inertia", "主慣性モーメント"),
+    "possible_moments": (
+        "positive, and each at most the sum of the others",
+        "どれも正で、ほかの2つの和以下の値",
     ),
-    "inertia_size": (
-        "The principal moments of inertia are {moments} kg m²; of this body they must be between {low:.3g} and {high:.3g} kg m².",
-        "主慣性モーメントが{moments} kg m²になっています。この形では{low:.3g}～{high:.3g} kg m²にしてください。",
+    "usual_moments": (
+        "between {low:.3g} and {high:.3g} kg m² for this body",
+        "この形では{low:.3g}～{high:.3g} kg m²の値",
     ),
     "mass_or_density": (
         "A mesh needs either a mass [kg] or a density [kg/m³]; give one of them.",

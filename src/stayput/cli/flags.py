@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 
     from stayput.measures import Measure
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.scenario import Scenario
 
 
@@ -203,11 +203,6 @@ _TABLES: dict[str, tuple[str, Callable[[Any], Any]]] = {
 _TEXTS = {f"shaking.{name}" for name in ("record", "across", "component", "unit", "columns", "location")}
 """Keys of texts that may look like numbers."""
 
-_KEY = re.compile(r"[^.\[\]=\s]+(?:\[\d{1,4}\])*(?:\.[^.\[\]=\s]+(?:\[\d{1,4}\])*)*", re.ASCII)
-"""A key of a scenario as refusals write it: ``shaking.pga``, ``furniture[1].mass``."""
-
-_STEP = re.compile(r"\[(\d+)\]|([^.\[\]]+)", re.ASCII)
-
 
 def _settings(said: FlagValues, motion_flag: str) -> Iterator[tuple[str, str, Any]]:
     """Yield which flag sets which key to which value.
@@ -217,6 +212,8 @@ def _settings(said: FlagValues, motion_flag: str) -> Iterator[tuple[str, str, An
     InputError
         A flag's text that cannot be read.
     """
+    from stayput.scenario.toml import steps_of
+
     if (motion := said.get("motion")) is not None:
         yield motion_flag, "shaking", {}
         key, value = "record", motion
@@ -233,7 +230,7 @@ def _settings(said: FlagValues, motion_flag: str) -> Iterator[tuple[str, str, An
             yield f"--{name}", key, made(said[name])
     for text in said.get("set", ()):
         key, equals, value = text.partition("=")
-        if not equals or not _KEY.fullmatch(key.strip()):
+        if not equals or not steps_of(key.strip()):
             raise not_allowed(
                 "--set", repr(text), phrase("cli.written_like", example="shaking.pga=4"), "--set"
             )
@@ -264,13 +261,15 @@ def changed(
     Raises
     ------
     InputError
-        A flag's text that cannot be read, a key that two flags set, or an entry of what is no list.
+        A flag's text that cannot be read, a key that two flags set, or a place of what is no list.
     """
+    from stayput.scenario.toml import steps_of, with_value
+
     settings: dict[tuple[str | int, ...], tuple[str, str, Any]] = {}
     for flag, key, value in _settings(said, motion_flag):
-        steps = tuple(int(place) if place else name for place, name in _STEP.findall(key))
+        steps = steps_of(key)
         if steps in settings:
-            raise InputError("cli.set_twice", key, key=key, flag=settings[steps][0], other=flag)
+            raise InputError("scenario.only_one", key, name=flag, other=settings[steps][0])
         settings[steps] = flag, key, value
     data = dict(tables)
     keys = {str(steps[1]) for steps in settings if len(steps) > 1 and steps[0] == "shaking"}
@@ -278,25 +277,8 @@ def changed(
         data["shaking"] = _without_rivals(table_of(data, "shaking"), keys)
     for steps in sorted(settings, key=len):
         flag, key, value = settings[steps]
-        data = _with(data, steps, _from_here(key, value, flag, path), "")
+        data = with_value(data, key, _from_here(key, value, flag, path))
     return data
-
-
-def _with(node: Any, steps: Sequence[str | int], value: Any, name: str) -> Any:
-    """Return a node of the tables with a value below it."""
-    if not steps:
-        return value
-    step, *rest = steps
-    if isinstance(step, int) or isinstance(node, list):
-        if not isinstance(node, list | None):
-            raise InputError("cli.set_no_list", "--set", name=name)
-        items = cast("list[Any]", node or [])
-        if not isinstance(step, int) or step > len(items):
-            raise InputError("cli.set_no_item", "--set", name=name, count=len(items))
-        below = _with(items[step] if step < len(items) else None, rest, value, f"{name}[{step}]")
-        return [*items[:step], below, *items[step + 1 :]]
-    table = cast("dict[str, Any]", node if isinstance(node, dict) else {})
-    return {**table, step: _with(table.get(step), rest, value, f"{name}.{step}".removeprefix("."))}
 
 
 def _without_rivals(shaking: dict[str, Any], keys: set[str]) -> dict[str, Any]:
@@ -400,7 +382,7 @@ def tables_of_motion(
 
     for flag, key, _ in _settings(said, "MOTION"):
         if not key.startswith("shaking."):
-            raise InputError("cli.set_of_shaking", key, flag=flag)
+            raise InputError("common.left_out", key, name=flag, where=phrase("cli.of_a_motion"))
     flags = said if motion is None else {**said, "motion": motion}
     tables = changed({**EXAMPLE, "shaking": {"suite": suite}}, flags, motion_flag="MOTION")
     check_apart(outputs, motion_files(tables))

@@ -90,14 +90,8 @@ class CommandGroup(TyperGroup):
 
     def make_context(self, *args: Any, **kwargs: Any) -> Any:
         """Read what stands before the name of the command."""
-        try:
+        with self._refusing():
             return super().make_context(*args, **kwargs)
-        except InputError as error:
-            raise self._refused(error) from None
-        except _USAGE as error:
-            raise self._refused(_misused(error)) from None
-        except KeyboardInterrupt:
-            raise self._interrupted() from None
 
     def invoke(self, ctx: Any) -> Any:
         """Run the command; refused input ends it with `REFUSED`, Ctrl-C with `INTERRUPTED`.
@@ -123,28 +117,27 @@ class CommandGroup(TyperGroup):
                 printed.add(sentence)
                 note(say("cli.warning", self._language, sentence=sentence))
 
+        with self._refusing(of_flags), warnings_to(warn), standard_input():
+            return super().invoke(ctx)
+
+    @contextmanager
+    def _refusing(self, called: Callable[[InputError], InputError] = lambda error: error) -> Generator[None]:
+        """End the program where its input is refused, its output cannot be written, or on Ctrl-C."""
         try:
-            with warnings_to(warn), standard_input():
-                return super().invoke(ctx)
+            try:
+                yield
+            except _USAGE as error:
+                raise _misused(error) from None
+            except OSError as error:
+                if error.errno != errno.ENAMETOOLONG:
+                    raise typer.Exit(_unwritten(error, self._language)) from None
+                raise InputError("cli.long_name", file=quoted(str(error.filename))) from None
         except InputError as error:
-            raise self._refused(of_flags(error)) from None
-        except _USAGE as error:
-            raise self._refused(_misused(error)) from None
-        except OSError as error:
-            if error.errno == errno.ENAMETOOLONG:
-                file = quoted(str(error.filename))
-                raise self._refused(InputError("cli.long_name", file=file)) from None
-            raise typer.Exit(_unwritten(error, self._language)) from None
+            _print_aside(called(error).told(self._language))
+            raise typer.Exit(REFUSED) from None
         except KeyboardInterrupt:
-            raise self._interrupted() from None
-
-    def _interrupted(self) -> typer.Exit:
-        _print_aside(say("cli.interrupted", self._language))
-        return typer.Exit(INTERRUPTED)
-
-    def _refused(self, error: InputError) -> typer.Exit:
-        _print_aside(error.told(self._language))
-        return typer.Exit(REFUSED)
+            _print_aside(say("cli.interrupted", self._language))
+            raise typer.Exit(INTERRUPTED) from None
 
 
 def _misused(error: Any) -> InputError:

@@ -32,9 +32,9 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.building.response import FloorResponse
-    from stayput.motion import Motion
     from stayput.motion.intensity import DisplacementPeak
-    from stayput.motion.spectrum import ResponseSpectrum
+    from stayput.motion.record import Motion
+    from stayput.motion.response import ResponseSpectrum
 
 app = typer.Typer(cls=HelpfulGroup, help="cli_help.motion", no_args_is_help=True, rich_markup_mode=None)
 
@@ -278,7 +278,7 @@ def plot(
             response.model.place(storey)
         plot_building(response, out, storeys or None, title=building_title(response, lang), language=lang)
     elif spectra is not None:
-        raise InputError("cli.spectra_of_floors", "--spectra", value=repr(spectra))
+        raise InputError("common.left_out", "--spectra", where=phrase("cli.one_storey"))
     else:
         from stayput.report.names import motion_label
         from stayput.report.plot import plot_motion  # Matplotlib takes its time to load
@@ -301,7 +301,7 @@ def spectrum(
 ) -> None:
     """Run ``stayput motion spectrum``."""
     from stayput.files import PLOT_SUFFIXES, check_target
-    from stayput.motion.spectrum import PERIODS, response_spectrum
+    from stayput.motion.response import PERIODS
 
     check_output(out, (".csv",))
     if plot is not None:
@@ -310,7 +310,7 @@ def spectrum(
     instead = to_output({"--out": out})
 
     def spectra(periods: ArrayLike) -> dict[str, ResponseSpectrum]:
-        return {name: response_spectrum(record, periods, damping, name) for name in record.components}
+        return {name: record.spectrum(periods, damping, name) for name in record.components}
 
     if not instead:
         _print_spectra(record, spectra(TABLE_PERIODS), lang)

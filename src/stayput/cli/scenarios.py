@@ -27,7 +27,7 @@ from stayput.errors import InputError
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Sequence
 
-    from stayput.fragility import IntensityMeasure
+    from stayput.fragility.intensity_measures import IntensityMeasure
     from stayput.report.animation import Progress
     from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario import Scenario
@@ -218,7 +218,7 @@ def _over(curves: Path | None, im: str | None) -> IntensityMeasure | None:
     InputError
         A measure that there is not, or without curves; a folder that cannot be one.
     """
-    from stayput.fragility import intensity_measure
+    from stayput.fragility.intensity_measures import intensity_measure
 
     if curves is None:
         if im is not None:
@@ -268,7 +268,7 @@ def _write_curves(
     verdict: Verdict, measure: IntensityMeasure, folder: Path, lang: str, *, aside: bool
 ) -> Sequence[Path]:
     """Write the fragility curves of all options, and tell of each beside the verdict unless that is aside."""
-    from stayput.fragility import MMI
+    from stayput.fragility.intensity_measures import MMI
     from stayput.report.verdict.exports import write_curves
     from stayput.verification.words import title
 

@@ -138,7 +138,7 @@ def file_of(text: str, flag: str, ending: str = "", most: int = MOST_INPUT) -> s
 def _reading(flag: str) -> Generator[BinaryIO]:
     taken = _taken.get()
     if taken.by:
-        raise InputError("cli.input_twice", flag, flag=flag, other=taken.by)
+        raise InputError("cli.same_file", flag, flag=flag, other=taken.by, value=STREAM)
     taken.by = flag
     source: TextIO | None = sys.stdin
     file = phrase("cli.standard_input", flag=flag)
@@ -185,7 +185,8 @@ def to_output(outputs: Mapping[str, Path | None], json: bool = False) -> bool:
     there = [flag for flag, path in outputs.items() if is_stream(path)]
     there += ["--json"] if json and there else []
     if len(there) > 1:
-        raise InputError("cli.output_twice", there[0], flag=there[0], other=there[1])
+        value = phrase("cli.standard_output")
+        raise InputError("cli.same_file", there[0], flag=there[0], other=there[1], value=value)
     return bool(there)
 
 

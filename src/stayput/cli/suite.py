@@ -18,29 +18,13 @@ from stayput.cli.flags import (
     words,
 )
 from stayput.cli.messages import note
-from stayput.errors import InputError, unknown
+from stayput.errors import InputError, not_allowed, unknown
 
 if TYPE_CHECKING:
-    from stayput.motion import Motion
     from stayput.motion.suites.suite import Suite
     from stayput.motion.suites.target import TargetSpectrum
 
 FITS = ("scale", "match", "together")
-
-COLUMNS = (
-    "file",
-    "name",
-    "synthetic",
-    "dt_s",
-    "duration_s",
-    "jma_intensity",
-    "pga_m_s2",
-    "pgv_m_s",
-    "d5_95_s",
-    "floor",
-    "source",
-)
-"""Columns of the suite's table."""
 
 
 @takes(GROUND)
@@ -106,12 +90,8 @@ def _target_of(text: str) -> TargetSpectrum:
         number = numbers("--target", text, [soil or "2"], (1,), "japan:very-rare,2")[0]
         return japanese_design(level.replace("-", " "), round(number))
     if not Path(text).exists():
-        raise InputError("cli.target", "--target", value=repr(text))
+        raise not_allowed("--target", repr(text), "cli.targets", "--target")
     return read_target(text)
-
-
-def _strengths(motion: Motion) -> list[float]:
-    return [motion.dt, motion.duration, motion.intensity, motion.pga, motion.pgv, motion.significant_duration]
 
 
 def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) -> None:
@@ -120,7 +100,7 @@ def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) 
     from stayput.report.spectra import plot_suite, suite_title
     from stayput.spreadsheets import CSV_ENCODING, csv_text
 
-    rows: list[list[object]] = []
+    rows: list[dict[str, object]] = []
     with (
         folder_draft(out) as unfinished,
         bar(len(motions), "progress.writing", unit="progress.motions") as advance,
@@ -130,10 +110,24 @@ def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) 
         for i, motion in enumerate(motions, start=1):
             file = f"{i:0{len(str(len(motions)))}d}-{name_part(motion.name, 'motion')}.csv"
             motion.write(folder / file)
-            about = [motion.floor, motion.source]
-            rows.append([file, motion.name, motion.synthetic, *_strengths(motion), *about])
+            about: dict[str, object] = {
+                "file": file,
+                "name": motion.name,
+                "synthetic": motion.synthetic,
+                "dt_s": motion.dt,
+                "duration_s": motion.duration,
+                "jma_intensity": motion.intensity,
+                "pga_m_s2": motion.pga,
+                "pgv_m_s": motion.pgv,
+                "d5_95_s": motion.significant_duration,
+                "floor": motion.floor,
+                "source": motion.source,
+            }
+            rows.append(about)
             advance(1)
-        (unfinished / "suite.csv").write_text(csv_text(COLUMNS, rows, "\n"), encoding=CSV_ENCODING)
+        (unfinished / "suite.csv").write_text(
+            csv_text(list(rows[0]), (row.values() for row in rows), "\n"), encoding=CSV_ENCODING
+        )
         title = suite_title(motions, lang)
         plot_suite(motions, unfinished / "suite.png", target, title=title, language=lang)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING
 
 from rich.cells import cell_len
 from rich.padding import Padding
@@ -34,7 +34,6 @@ if TYPE_CHECKING:
 
     from rich.console import Console
 
-    from stayput.fragility import Probability
     from stayput.rooms.verdict import ChangeVerdict
     from stayput.verification import Verdict
 
@@ -58,40 +57,36 @@ def print_verdict(verdict: Verdict | RoomVerdict, lang: str) -> None:
         _print_options(verdict, lang)
 
 
-class _Line(NamedTuple):
-    """A line of a ranking, and the sentence about it below the table."""
-
-    rank: str
-    brief: str
-    cells: tuple[str, ...]
-    title: str
-    reason: str
-
-
 def _print_options(verdict: Verdict, lang: str) -> None:
-    text, alone = partial(word, language=lang), verdict.scenario.alone
-    lines: list[_Line] = []
+    """Print the title, what is found, the table of options, and why each is where it is."""
+    text, alone, colon = partial(word, language=lang), verdict.scenario.alone, word("colon", lang)
+    rows: list[tuple[str, ...]] = []
+    reasons: list[str] = []
     for row in ranking(verdict, lang):
         result = row.option
-        falls, *others = _shares(row.shares, lang)
-        slide = _slide(row.slide[0], result.slide.median, lang)
+        falls, *others = (
+            NO_NUMBER if share is None else numbers.probability(share, lang) for _, share in row.shares
+        )
+        slide = text("brief_falls") if math.isinf(result.slide.median) else row.slide[0]
+        label = title(result.option, verdict, lang)
         if alone:
             reached = (numbers.capacity(result.capacities.get(share), lang, brief=True) for share in SHARES)
             share = f"{falls} ({row.grade})"  # the grade of its inputs stands beside the number itself
             out = () if row.contents is None else (numbers.probability(row.contents, lang),)
             cells = (share, *others, *out, slide, *reached)
+            if ends := numbers.interval(result.probabilities[OVERTURNED], lang):
+                label = with_aside(label, ends, lang)
         else:
             each = (numbers.probability(chance, lang) for _, chance in row.pieces)
             cells = (falls, *others, slide, *each)
-        ends = numbers.interval(result.probabilities[OVERTURNED], lang) if alone else ""
-        label = title(result.option, verdict, lang)
-        label = with_aside(label, ends, lang) if ends else label
-        lines.append(_Line(str(result.rank), row.name or row.label, cells, label, row.reason))
-    impossible = zip(impossible_rows(verdict, lang), verdict.impossible, strict=True)
-    rejected = [
-        (item.option.name if item.option.own_name else label, label, why) for (label, why), item in impossible
-    ]
-    events = _events(verdict, lang)
+        rows.append((str(result.rank), row.name or row.label, *cells))
+        reasons.append(f"{result.rank}. {label}{colon}{row.reason}")
+    for (label, why), item in zip(impossible_rows(verdict, lang), verdict.impossible, strict=True):
+        brief = item.option.name if item.option.own_name else label
+        rows.append((NO_NUMBER, brief, word("brief_not_possible", lang)))
+        reasons.append(f"{NO_NUMBER}  {colon.join((label, word('not_possible', lang), why))}")
+    limit = numbers.length(verdict.slide_limit, lang)
+    events = [text(f"brief_{event}", limit=limit) for event in EVENTS]
     if alone:
         capacities = (text("brief_capacity", share=f"{100.0 * share:g}") for share in SHARES)
         inside = (text("brief_contents_out"),) if verdict.without.contents is not None else ()
@@ -101,97 +96,34 @@ def _print_options(verdict: Verdict, lang: str) -> None:
     else:
         headings = (say("several.option", lang), *events, text("brief_slide"), *verdict.scenario.names)
         below = (say("several.brief_text", lang),)
-    _print_ranking(
-        verdict,
-        lang,
-        headings,
-        lines,
-        rejected,
-        above=verdict.sentence(lang),
-        below=below,
-        notes=verdict.notes(lang),
-        end=simulations(verdict, lang),
-        last=len(SHARES) if alone else 0,
-    )
-
-
-def _events(verdict: Verdict, lang: str) -> list[str]:
-    """Return the headings of the columns of events."""
-    limit = numbers.length(verdict.slide_limit, lang)
-    return [word(f"brief_{event}", lang, limit=limit) for event in EVENTS]
-
-
-def _shares(shares: Iterable[tuple[Any, Probability | None]], lang: str) -> list[str]:
-    return [NO_NUMBER if share is None else numbers.probability(share, lang) for _, share in shares]
-
-
-def _slide(slide: str, median: float, lang: str) -> str:
-    return word("brief_falls", lang) if math.isinf(median) else slide
-
-
-def _print_ranking(
-    verdict: Verdict,
-    lang: str,
-    headings: Sequence[str],
-    lines: Sequence[_Line],
-    rejected: Sequence[tuple[str, str, str]],
-    *,
-    above: str,
-    below: Sequence[str],
-    notes: Iterable[str] = (),
-    end: str,
-    last: int = 0,
-) -> None:
-    """Print the title, what is found, the table of options, and why each is where it is.
-
-    Parameters
-    ----------
-    verdict : Verdict
-        The verdict.
-    lang : str
-        "en" or "ja".
-    headings : sequence of str
-        What stands above the labels and the cells.
-    lines : sequence of _Line
-        The options.
-    rejected : sequence of tuple of str
-        Those that are not possible: in brief, in full, and why.
-    above, below, notes, end
-        Sentences above and below the table, below the reasons, and at the end.
-    last : int
-        How many of the last columns are left out where the table is wider than the terminal.
-    """
     console, paragraph = terminal(lang, verdict.scenario.title)
-    paragraph(above)
-    rows = [(line.rank, line.brief, *line.cells) for line in lines]
-    rows += [(NO_NUMBER, brief, word("brief_not_possible", lang)) for brief, _, _ in rejected]
-    narrow = 12  # of the labels, which are folded
-    folds = max(max(cell_len(row[1]) for row in rows) - narrow, 0)
-    for shown in (len(headings), len(headings) - last):
-        table = Table(box=None, padding=(0, 1, 0, 0))
-        table.add_column("", justify="right")
-        table.add_column(headings[0], min_width=narrow, overflow="fold")
-        for heading in headings[1:shown]:
-            table.add_column(heading, justify="right", no_wrap=last > 0, overflow="fold")
-        for row in rows:
-            table.add_row(*row[: shown + 1])
-        if last == 0 or _width(table, console) - folds <= console.width:
-            break
-    console.print(table)  # pyright: ignore[reportPossiblyUnbound] - there is one of two
+    paragraph(verdict.sentence(lang))
+    console.print(_ranked(headings, rows, console, len(SHARES) if alone else 0))
     for sentence in below:
         paragraph(sentence)
-    colon = word("colon", lang)
-    for line in lines:
-        console.print(f"{line.rank}. {line.title}{colon}{line.reason}", soft_wrap=True)
-    for _, label, why in rejected:
-        console.print(f"{NO_NUMBER}  {colon.join((label, word('not_possible', lang), why))}", soft_wrap=True)
-    for note in notes:
-        console.print(note, soft_wrap=True)
+    for line in (*reasons, *verdict.notes(lang)):
+        console.print(line, soft_wrap=True)
     if verdict.motions == 1:
         paragraph(word("one_motion", lang))
     if not verdict.precise:
         paragraph(word("not_precise", lang))
-    paragraph(end)
+    paragraph(simulations(verdict, lang))
+
+
+def _ranked(headings: Sequence[str], rows: Iterable[Sequence[str]], console: Console, last: int) -> Table:
+    """Return the table of options, without the last so many columns where it is too wide with them."""
+    narrow = 12  # of the labels, which are folded
+    table = Table(box=None, padding=(0, 1, 0, 0))
+    table.add_column("", justify="right")
+    table.add_column(headings[0], min_width=narrow, overflow="fold")
+    for heading in headings[1:]:
+        table.add_column(heading, justify="right", no_wrap=last > 0, overflow="fold")
+    for row in rows:
+        table.add_row(*row)
+    folds = max(max(cell_len(str(cell)) for cell in table.columns[1].cells) - narrow, 0)
+    if last and _width(table, console) - folds > console.width:
+        del table.columns[-last:]
+    return table
 
 
 def _width(table: Table, console: Console) -> int:

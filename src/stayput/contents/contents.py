@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from stayput.errors import InputError, instance_of, kinetic_above_static, list_of, word_of
+from stayput.catalogue import phrase
+from stayput.errors import InputError, instance_of, list_of, within, word_of
 from stayput.measures.place import with_mass
 from stayput.model.body import MASS_RANGE, SIZE_RANGE
 from stayput.model.parameters import check_fields, other_default, parameter, parameter_of, quantity
@@ -134,7 +135,7 @@ class Contents:
 
     Examples
     --------
-    >>> from stayput.contents import Contents
+    >>> from stayput.contents.contents import Contents
     >>> Contents("dishes", shelves=4, doors="hinged, latched").of_kind.static_friction
     0.25
     """
@@ -174,8 +175,7 @@ class Contents:
         self._check_loads()
         self._check_fronts()
         static, kinetic = self.friction
-        if kinetic > static:
-            raise kinetic_above_static("contents.kinetic_friction", kinetic, static, "kinetic_friction")
+        within("contents.kinetic_friction", kinetic, 0.0, static, field="kinetic_friction")
 
     def _check_loads(self) -> None:
         """Refuse loads that are none, or that are not those of the shelves."""
@@ -187,31 +187,25 @@ class Contents:
             raise InputError("common.empty", "loads")
         object.__setattr__(self, "loads", loads)
         if self.shelves not in (None, len(loads)):
-            raise InputError("contents.loads_and_shelves", "shelves", loads=len(loads), shelves=self.shelves)
+            raise InputError("common.so_many_values", "loads", count=len(loads), wanted=self.shelves)
         if self.mass_share is not None:
-            raise InputError(
-                "contents.loads_and_share", "mass_share", loads=sum(loads), share=self.mass_share
-            )
+            raise InputError("common.left_out", "mass_share", where=phrase("contents.beside_loads"))
 
     def _check_fronts(self) -> None:
         """Refuse doors with drawers, and what goes with neither of those given."""
         if self.drawers != "none" and self.doors != "none":
-            raise InputError("contents.doors_and_drawers", "drawers", doors=self.doors, drawers=self.drawers)
+            raise InputError("common.left_out", "drawers", where=phrase("contents.behind_doors"))
         if self.catch is not None and not {self.doors, self.drawers} & CATCHES.keys():
-            raise InputError(
-                "contents.no_catch", "catch", catch=self.catch, doors=self.doors, drawers=self.drawers
-            )
+            raise InputError("common.left_out", "catch", where=phrase("contents.without_catch"))
         needs_doors = {"door_mass": DOORS[1:], "leaf": ("sliding",)}
         for name in ("door_mass", "leaf", "lip", "setback", "width", "height"):
-            about, value = parameter_of(Contents, name), getattr(self, name)
-            values: dict[str, Any] = {"name": about.label, "value": value, "unit": about.unit}
-            if value == about.default:
+            if getattr(self, name) == parameter_of(Contents, name).default:
                 continue
             if self.doors not in (kinds := needs_doors.get(name, DOORS)):
-                needed = ", ".join(map(repr, kinds))
-                raise InputError("contents.without_doors", name, **values, doors=self.doors, needed=needed)
+                where = phrase("contents.without_doors", needed=", ".join(map(repr, kinds)))
+                raise InputError("common.left_out", name, where=where)
             if name not in needs_doors and self.drawers != "none":
-                raise InputError("contents.in_drawers", name, **values, drawers=self.drawers)
+                raise InputError("common.left_out", name, where=phrase("contents.in_drawers"))
 
     @property
     def of_kind(self) -> ContentsKind:

@@ -137,7 +137,7 @@ class FragilityCurve(InJson):
     Examples
     --------
     >>> import stayput as sp
-    >>> from stayput.fragility import PGA
+    >>> from stayput.fragility.intensity_measures import PGA
     >>> trials = sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40])
     >>> curve = sp.fragility_curve(trials, "bookcase")
     >>> curve.name, curve.levels[1].probability.text
@@ -288,7 +288,8 @@ def fragility_curve(trials: Trials, name: str = "") -> FragilityCurve:
 
     Examples
     --------
-    >>> from stayput.fragility import PGA, Trials
+    >>> from stayput.fragility.intensity_measures import PGA
+    >>> from stayput.fragility.trials import Trials
     >>> curve = fragility_curve(Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40]))
     >>> curve.capacity(0.5).text
     '4.17 m/s² (3.22 to 5.23)'

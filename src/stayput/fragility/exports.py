@@ -210,7 +210,7 @@ def write_nrml(curves: Sequence[FragilityCurve], path: str | Path, description: 
     Examples
     --------
     >>> import stayput as sp
-    >>> from stayput.fragility import PGA
+    >>> from stayput.fragility.intensity_measures import PGA
     >>> trials = sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40])
     >>> sp.write_nrml([sp.fragility_curve(trials, "bookcase")], "fragility.xml")
     """
@@ -297,7 +297,7 @@ def write_pelicun(curves: Sequence[FragilityCurve], path: str | Path) -> None:
     Examples
     --------
     >>> import stayput as sp
-    >>> from stayput.fragility import PGA
+    >>> from stayput.fragility.intensity_measures import PGA
     >>> trials = sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40])
     >>> sp.write_pelicun([sp.fragility_curve(trials, "bookcase")], "fragility.csv")
     """

@@ -42,7 +42,7 @@ class IntensityMeasure:
 
     Examples
     --------
-    >>> from stayput.fragility import PGV, IntensityMeasure
+    >>> from stayput.fragility.intensity_measures import PGV, IntensityMeasure
     >>> PGV.labels[0], PGV.text(0.413)  # values are SI
     ('Peak ground velocity [cm/s]', '41.3 cm/s')
     >>> rotation = IntensityMeasure("PGR", ("peak ground rotation", "地面の最大回転"), "mrad", 1000.0)

@@ -62,7 +62,7 @@ class Difference:
     Examples
     --------
     >>> import numpy as np
-    >>> from stayput.fragility import difference
+    >>> from stayput.fragility.paired import difference
     >>> falls = np.arange(200).reshape(20, 10) % 4 == 0  # 20 motions, 10 samples each
     >>> gain = difference(falls & (np.arange(10) < 5), falls)  # with a device, and without
     >>> gain.fewer, gain.more, gain.clear

@@ -60,7 +60,7 @@ class Probability:
     Examples
     --------
     >>> import numpy as np
-    >>> from stayput.fragility import probability
+    >>> from stayput.fragility.probabilities import probability
     >>> apart = probability(np.arange(40).reshape(4, 10) % 4 == 0)  # 10 of 40 fell, spread over 4 motions
     >>> alike = probability(np.arange(40).reshape(4, 10) < 10)  # 10 of 40, all under one of them
     >>> apart.text, alike.text
@@ -155,7 +155,7 @@ def checked_runs(
     """
     fell = np.asarray(fallen)
     if fell.dtype != np.bool_:
-        raise InputError("fragility.not_bool", "fallen", dtype=str(fell.dtype))
+        raise not_allowed("fallen", str(fell.dtype), "fragility.booleans", "fallen")
     if fell.ndim != dimensions or fell.size == 0:
         axes = phrase("fragility.axes", dimensions=dimensions)
         raise not_allowed(phrase("common.shape_of", name="fallen"), str(fell.shape), axes, "fallen")
@@ -266,7 +266,7 @@ def samples_needed(current: Probability, half_width: float) -> int:
     """
     target = within("fragility.half_width", half_width, 1e-3, 0.5)
     if current.runs == 0:
-        raise InputError("fragility.plan_without_runs")
+        raise InputError("fragility.no_runs")
     motions = current.motions
     m = current.runs / motions
     runs = independent_runs(current.estimate, target, quantile(motions, current.runs))

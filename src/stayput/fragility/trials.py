@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.special import ndtr, ndtri
@@ -55,7 +55,7 @@ class Trials:
     --------
     >>> import numpy as np
     >>> import stayput as sp
-    >>> from stayput.fragility import PGA
+    >>> from stayput.fragility.intensity_measures import PGA
     >>> fell = np.zeros((2, 3, 10), dtype=bool)  # at 2 levels, under 3 motions, 10 samples each
     >>> fell[1, 0], fell[1, 1, :4] = True, True
     >>> trials = sp.Trials.from_runs(PGA, [3.0, 6.0], fell)
@@ -327,14 +327,12 @@ def pooled(fell: NDArray[np.float64], runs: NDArray[np.float64]) -> NDArray[np.f
     >>> pooled(np.array([0.0, 4.0, 2.0, 10.0]), np.full(4, 10.0)).tolist()
     [0.0, 0.3, 0.3, 1.0]
     """
-    blocks: list[tuple[float, float, int]] = []
-    for block in zip(fell.tolist(), runs.tolist(), [1] * len(fell), strict=True):
-        k, n, count = block
-        while blocks and blocks[-1][0] * n >= k * blocks[-1][1]:
-            before = blocks.pop()
-            k, n, count = k + before[0], n + before[1], count + before[2]
-        blocks.append((k, n, count))
-    return np.repeat([k / n for k, n, _ in blocks], [count for _, _, count in blocks])
+    from scipy.optimize import isotonic_regression  # takes its time to load
+
+    rising: Any = isotonic_regression(fell / runs, weights=runs)
+    ends: NDArray[np.intp] = rising.blocks
+    # of the whole numbers, so that blocks of the same share have the same bits
+    return np.repeat(np.add.reduceat(fell, ends[:-1]) / np.add.reduceat(runs, ends[:-1]), np.diff(ends))
 
 
 def _between(

@@ -18,7 +18,7 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, not_allowed, reason_of, within
 from stayput.execution import Pool
 from stayput.extras import arrow
-from stayput.fragility import JMA_INTENSITY, PGA, PGV
+from stayput.fragility.intensity_measures import JMA_INTENSITY, PGA, PGV
 from stayput.inventory.columns import read_columns
 from stayput.inventory.folder import MANIFEST, PLAN, called, check_parts, claimed, input_digest, inputs_of
 from stayput.inventory.plan import make_plan
@@ -169,8 +169,9 @@ def assess(
     instance_of("scenario", scenario, (str, PathLike, ScenarioFile))
     table, folder, mapping = Path(inventory), Path(out), read_columns(columns)
     formats = formats_of(export)
-    if shakemap is None and (field is not None or uncertainty is not None):
-        raise InputError("inventory_tables.no_map", "shakemap")
+    for name, value in {"field": field, "uncertainty": uncertainty}.items():
+        if shakemap is None and value is not None:
+            raise InputError("scenario.needs_both", "shakemap", name=name, other="shakemap")
     paths = {"inventory": inventory, "shake map": shakemap, "uncertainty": uncertainty}
     files = {name: Path(path) for name, path in paths.items() if path is not None}
     digests = {name: input_digest(name, path) for name, path in files.items()}
@@ -183,7 +184,7 @@ def assess(
         "shake map": digests.get("shake map"),
         "field": field,
         "uncertainty": digests.get("uncertainty"),
-        "columns": mapping.key,
+        "columns": [[*map(list, mapping.pairs)], [*mapping.ignored]],
         "slide limit": limit,
     }
 

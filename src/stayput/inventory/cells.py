@@ -72,11 +72,6 @@ CellReader: TypeAlias = Callable[[Cell], Cell]
 """Makes a column's own text or number of a cell in another unit or spelling."""
 
 
-def refusal(key: str, name: str, **values: Any) -> InputError:
-    """Return the refusal of what a column holds, or lacks."""
-    return InputError(f"inventory.{key}", name, name=name, **values)
-
-
 def is_empty(cell: Cell) -> bool:
     """Return whether a cell holds nothing, or only blanks."""
     return cell is None or (isinstance(cell, str) and not cell.strip())
@@ -100,7 +95,7 @@ def plain(name: str, cell: Cell) -> str | float | int | None:
         raise too_many(name, len(cell), "inventory.characters", LONGEST, name)
     text = cell.strip()
     if has_control(text):
-        raise refusal("control_character", name)
+        raise not_allowed(name, shown(text), "common.plain_text", name)
     if text.startswith("="):
         raise not_allowed(name, phrase("inventory.cell_formula"), "inventory.usable", name)
     return text or None
@@ -218,7 +213,8 @@ def without_thousands(number: str, unit: str, marks: str = ",") -> str:
 
 def _not_a_plain_number(name: str, value: str, unit: str, hint: Phrase | str = "") -> InputError:
     said = phrase("inventory.in_unit", unit=unit) if unit else ""
-    return refusal("not_plain_number", name, value=value, unit=said, hint=hint)
+    allowed = phrase("inventory.plain_number", unit=said)
+    return InputError("common.not_allowed", name, value=value, hint=hint, allowed=allowed)
 
 
 def numbers_of(name: str, cell: Cell, unit: str = "") -> tuple[float, ...]:

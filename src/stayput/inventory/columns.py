@@ -273,11 +273,6 @@ class ColumnMapping:
     pairs: tuple[tuple[str, str], ...] = ()
     ignored: tuple[str, ...] = ()
 
-    @property
-    def key(self) -> list[Any]:
-        """The mapping in a form that can be written as JSON."""
-        return [list(map(list, self.pairs)), list(self.ignored)]
-
     def places(self, names: Sequence[str]) -> tuple[dict[str, tuple[int, NumberUnit | None]], set[int]]:
         """Return the place of each mapped column with the unit that is stated, and the places not to use.
 
@@ -303,14 +298,12 @@ def _find(name: str, header: str, names: Sequence[str]) -> tuple[int, NumberUnit
         return place, units.get(header_name(header).unit)
     matched = _UNIT.fullmatch(header.strip())
     place = None if matched is None else _place(matched[1], names)
-    said: dict[str, Any] = {"name": name, "header": quoted(header)}
     if matched is None or place is None:
-        listed = ", ".join(shown(each) for each in names if each)[:300] or phrase("inventory.nothing")
-        raise InputError("inventory_tables.mapped_missing", "columns", **said, names=listed)
+        raise unknown("inventory_tables.column_name", header, filter(None, names), "columns")
     stated, written = units.get(plain_name(matched[2])), units.get(header_name(names[place]).unit)
     if stated is None or written not in (None, stated):
         known = dict.fromkeys(unit.name for unit in ([written] if written else units.values()))
-        raise InputError("inventory_tables.mapped_unit", "columns", **said, known=", ".join(known) or "-")
+        raise unknown(phrase("inventory_tables.unit_of", name=name), matched[2], known or "-", "columns")
     return place, stated
 
 

@@ -102,7 +102,7 @@ def called(name: str) -> Phrase:
     return phrase(f"inventory.input_{name.replace(' ', '_')}")
 
 
-def unreadable(path: Path, error: OSError) -> InputError:
+def unreadable(path: Path, error: Exception) -> InputError:
     """Return the refusal of an input that the system does not let be read."""
     return InputError("common.unreadable", file=repr(str(path)), reason=reason_of(error))
 

@@ -173,10 +173,6 @@ class Header:
         """Return the cells of a column in the sample."""
         return [row[place] for row in self.sample if place < len(row)]
 
-    def _has_numbers(self, place: int) -> bool:
-        """Return whether a column has numbers in the sample."""
-        return any(number_or_none(cell) is not None for cell in self._column(place))
-
     def _take_known(self) -> None:
         """Take columns by stayput's names, then by usual ones."""
         for place in list(self.free):
@@ -216,8 +212,9 @@ class Header:
         self.places[name], self.units[name] = place, UNITS.get(kind, {}).get(written)
         if self.units[name] is not None or not (written or kind in ("m", "kg")):
             return
-        bare = not written and not self._has_numbers(place)
-        if bare and any(in_own_unit(cell, kind) for cell in self._column(place)):
+        cells = self._column(place)
+        bare = not written and all(number_or_none(cell) is None for cell in cells)
+        if bare and any(in_own_unit(cell, kind) for cell in cells):
             self.in_own_units.add(name)
         else:
             self._doubt("unit", place, self._proposed(name, place))

@@ -11,8 +11,7 @@ from cachetools import LRUCache
 from pydantic import ValidationError
 
 from stayput.catalogue import phrase
-from stayput.contents import Contents
-from stayput.contents.contents import emptied
+from stayput.contents.contents import Contents, emptied
 from stayput.errors import InputError, not_allowed, too_many, unknown, visible, whole_within, within
 from stayput.inventory.cells import (
     ROOF,
@@ -22,7 +21,6 @@ from stayput.inventory.cells import (
     number_or_none,
     numbers_of,
     plain,
-    refusal,
     shown,
     text_of,
 )
@@ -144,14 +142,14 @@ class RowReader:
         for name in ("id", "name"):
             called = cells.get(name)
             if isinstance(called, str) and TOTAL_ROW.fullmatch(plain_name(called)):
-                raise refusal("total_row", name, value=shown(called))
+                raise not_allowed(name, shown(called), "inventory.of_a_piece", name)
         count = number_of("count", cells.get("count"))
         count = 1 if count is None else whole_within("count", count, 1, 1_000_000, field="count")
         value = limited("value", cells, 0.0, 1e15)
         lat, lon = limited("lat", cells, -90.0, 90.0, "°"), limited("lon", cells, -180.0, 360.0, "°")
         if (lat is None) != (lon is None):
             name, other = ("lat", "lon") if lat is None else ("lon", "lat")
-            raise refusal("missing_beside", name, other=other)
+            raise InputError("scenario.needs_both", name, name=other, other=name)
         body = self.bodies.result(_values(cells, OF_THE_BODY), partial(body_of, cells))
         costs = numbers_of("costs", cells.get("costs"))
         about = {"row": row, "id": piece, "name": name_of(cells.get("name")), "count": count}
@@ -161,9 +159,8 @@ class RowReader:
             label, building, storey = self._building(cells, station)
             spec, options, not_possible = self._room(cells, body, station)
             if costs and len(costs) != len(options) - 1:
-                raise InputError(
-                    "inventory.costs_count", "costs", costs=len(costs), measures=len(options) - 1
-                )
+                due = phrase("common.so_many_numbers", count=len(options) - 1)
+                raise not_allowed("costs", shown(cells.get("costs")), due, "costs")
             possible = [n for n, name in enumerate(options) if name not in not_possible]
             names, specs = list(options), list(options.values())
             here = {
@@ -224,12 +221,12 @@ class RowReader:
             building = self.buildings.result(stated, lambda: self._named(stated))
         if building is None:
             if plain("storey", cell) is not None:
-                raise refusal("building_missing", "building")
+                raise InputError("inventory.building_missing", "building")
             return None, None, 1
         highest, name = building.highest(), stated or building.building().name
         storey = storey_of(cell, highest) or (shaking.storey if stated is None else None)
         if storey is None:
-            raise refusal("missing_beside", "storey", other="building")
+            raise InputError("scenario.needs_both", "storey", name="building", other="storey")
         if storey == highest:
             self.roofs[name] = storey
         return name, building if storey > 0 else None, storey
@@ -239,7 +236,7 @@ class RowReader:
         building = named[name] if name in named else stated_building(name)
         if building is None:
             known = ", ".join(named) or phrase("inventory.nothing")
-            raise refusal("unknown_building", "building", value=shown(name), known=known)
+            raise InputError("inventory.unknown_building", "building", value=shown(name), known=known)
         return building
 
 
@@ -316,7 +313,7 @@ def room_of(cells: Mapping[str, Cell], scenario: Scenario) -> Room:
         if wall not in WALLS:
             raise unknown("wall", wall, WALLS, "wall")
         if room.left_wall is None:
-            raise InputError("inventory.missing_beside", "wall", name="gap", other="wall")
+            raise InputError("scenario.needs_both", "wall", other="gap")
         room = replace(room, left_wall=replace(room.left_wall, construction=wall))
     return room
 
@@ -345,7 +342,7 @@ def storey_of(cell: Cell, highest: int) -> int | None:
         return None
     storey = None if isinstance(cell, str) and number_or_none(cell) is None else number_of("storey", cell)
     if storey is None or not (1 <= storey <= highest or -DEEPEST <= storey <= -1) or storey % 1:
-        raise refusal("storey", "storey", value=shown(cell), highest=highest, deepest=DEEPEST)
+        raise InputError("inventory.storey", "storey", value=shown(cell), highest=highest, deepest=DEEPEST)
     return int(storey)
 
 
@@ -363,7 +360,8 @@ def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> dict[str, tuple
         return {NO_MEASURE: (), **{name: _ordered(measures) for name, measures in named.items()}}
     options: dict[str, tuple[Measure, ...]] = {NO_MEASURE: ()}
     parts = text.split(";")
-    twice: str | None = None
+    if len(parts) > MOST_OPTIONS:
+        raise too_many("measures", len(parts), "inventory.parts", MOST_OPTIONS, "measures")
     for part in parts:
         names = [name.strip() for name in part.split("+")]
         measures: tuple[Measure, ...] = ()
@@ -372,12 +370,9 @@ def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> dict[str, tuple
                 raise unknown("measures", name, dict.fromkeys((*named, *MEASURES)), "measures")
             measures += named[name] if name in named else (MEASURES[name](),)
         together = "+".join(names)
-        twice = twice or (together if together in options else None)
+        if together in options:
+            raise InputError("common.twice", "measures", name=shown(together))
         options[together] = _ordered(measures)
-    if len(parts) > MOST_OPTIONS:
-        raise too_many("measures", len(parts), "inventory.parts", MOST_OPTIONS, "measures")
-    if twice is not None:
-        raise InputError("common.twice", "measures", name=shown(twice))
     return options
 
 
@@ -413,8 +408,7 @@ def contents_of(cells: Mapping[str, Cell], body: Body, scenario: Scenario) -> Co
     if kind == NOTHING or (kind is None and table is None and not stated):
         return None
     if kind is None and table is None:
-        name = next(iter(stated))
-        raise refusal("missing_beside", "contents", other=name)
+        raise InputError("scenario.needs_both", "contents", name=next(iter(stated)), other="contents")
     values: dict[str, Any] = {} if table is None else table.model_dump(exclude_unset=True)
     values |= stated if kind is None else {"kind": kind, **stated}
     loads = numbers_of("load", cells.get("load"), "kg")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sqlite3
 from collections import Counter
-from contextlib import closing
+from contextlib import closing, suppress
 from itertools import chain, islice
 from typing import TYPE_CHECKING, Any
 
@@ -112,23 +112,15 @@ def make_plan(
         A table that cannot be read, a wrong header, or no row.
     """
     path = space.folder / PLAN
-    facts = _facts(path)
+    facts: dict[str, Any] | None = None
+    if path.exists():
+        with suppress(sqlite3.DatabaseError), closing(Store(path)) as store:  # of a damaged one
+            facts = store.facts()
     if facts is None:
         with space.draft(path) as draft:
             facts = _fill(draft, inventory, scenarios, cache, advance, columns)
             check_unchanged()
     return facts
-
-
-def _facts(path: Path) -> dict[str, Any] | None:
-    """Return the facts of a plan; None where there is none, or a damaged one."""
-    if not path.exists():
-        return None
-    try:
-        with closing(Store(path)) as store:
-            return store.facts()
-    except sqlite3.DatabaseError:
-        return None
 
 
 def _fill(
@@ -168,9 +160,8 @@ def _fill(
                 piece, depth = exposures[0].row, exposures[0].depth
                 before = store.row_of(piece["id"], number)
                 if before != number:
-                    raise InputError(
-                        "inventory.id_twice", "id", name="id", id=quoted(piece["id"]), row=before
-                    )
+                    other = phrase("inventory.row", row=before)
+                    raise InputError("scenario.same_name", "id", value=quoted(piece["id"]), other=other)
             except InputError as error:
                 counts["rejects"] += 1
                 line = _rejected(number, cells, _in_words_of_the_table(error, header), header)

@@ -257,12 +257,6 @@ def _scenario(scenario: Mapping[str, Any], language: str) -> str:
     )
 
 
-def printed(total: Total, event: str, language: str) -> list[str]:
-    """Return what an event came to, in the lines of a terminal."""
-    first = tell("of_event", language, event=event, expected=expected(total, language))
-    return list(filter(None, [first, findings_told(total, language), inside_told(total, language)]))
-
-
 def printed_lines(
     facts: Mapping[str, Any], events: Mapping[str, Total], runs: int, on_map: bool, language: str
 ) -> list[str]:
@@ -297,7 +291,8 @@ def printed_lines(
     done_runs = counted_phrase(runs, "run", "回")
     lines.append(tell("printed_runs", language, choices=choices, units=f"{facts['units']:,}", runs=done_runs))
     for name, total in events.items():
-        lines += printed(total, name, language)
+        lines.append(tell("of_event", language, event=name, expected=expected(total, language)))
+        lines += findings_told(total, language), inside_told(total, language)
     lines += [narrow_told(facts, language), *impossible_told(facts, language)]
     return list(filter(None, lines))
 

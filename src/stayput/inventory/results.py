@@ -14,8 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.extras import arrow
-from stayput.fragility import difference
-from stayput.fragility.paired import score_interval
+from stayput.fragility.paired import difference, score_interval
 from stayput.fragility.probabilities import CONFIDENCE, probability_of_counts
 from stayput.inventory.folder import digest_of
 from stayput.inventory.items import NO_MEASURE
@@ -28,7 +27,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.fragility import Difference
+    from stayput.fragility.paired import Difference
     from stayput.inventory.folder import Workspace
     from stayput.inventory.store import OutcomeStore, Store
 

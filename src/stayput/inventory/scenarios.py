@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, Annotated, Any, cast
 
 from pydantic import ValidationError
 
-from stayput.building import STRUCTURES
+from stayput.building.building import STRUCTURES
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, warn
-from stayput.fragility import JMA_INTENSITY
+from stayput.errors import InputError, InputWarning, not_allowed, shown, warn
+from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.inventory.shakemap import distances
 from stayput.motion.floors import of_the_ground
 from stayput.scenario import Scenario
@@ -28,7 +28,7 @@ from stayput.vocabulary import meant
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
-    from stayput.fragility import IntensityMeasure
+    from stayput.fragility.intensity_measures import IntensityMeasure
     from stayput.inventory.shakemap import GroundLevel, ShakeMap
     from stayput.motion.suites.suite import Suite
     from stayput.scenario.tables import BuildingTable
@@ -80,7 +80,7 @@ class ScenarioFile:
         """The motions, which must be of the ground."""
         suite = self.scenario.ground()
         for motion in suite:
-            of_the_ground(motion, "inventory")
+            of_the_ground(motion, "here")
         return suite
 
     @cached_property
@@ -180,7 +180,7 @@ def read_scenarios(
     place = Path(path)
     paths = sorted(place.glob("*.toml")) if place.is_dir() else [place]
     if not paths:
-        raise InputError("inventory.no_scenarios", "scenario", path=repr(str(place)))
+        raise not_allowed("scenario", repr(str(place)), "inventory.scenarios", "scenario")
     return _joined([read_scenario_file(path, changed) for path in paths], place.stem, shakemap)
 
 
@@ -188,7 +188,8 @@ def _joined(scenarios: Sequence[ScenarioFile], folder: str, shakemap: ShakeMap |
     located = [file for file in scenarios if file.station is not None]
     if located and len(located) < len(scenarios):
         other = next(file.name for file in scenarios if file.station is None)
-        raise InputError("inventory.station_missing", "station", name=other)
+        allowed = phrase("inventory.as_in_others")
+        raise InputError("scenario.missing", "station", allowed=allowed).at(f"{other}.toml")
     if shakemap is not None and (located or len(scenarios) > 1):
         raise InputError("common.left_out", "shakemap", where=phrase("inventory.map_beside_stations"))
     if shakemap is not None and scenarios[0].scenario.shaking.scale is not None:
@@ -228,7 +229,7 @@ def scenario_file_of(data: Mapping[str, object], file: Path) -> ScenarioFile:
         data.setdefault("furniture", ANY_FURNITURE)
         scenario = Scenario.parse(data, file.parent)
         if scenario.dimensions == 3:
-            raise InputError("inventory.in_space", "dimensions")
+            raise not_allowed("dimensions", "3", "inventory.in_the_plane", "dimensions")
         unused = {
             "[uncertainty] installation": "installation" in scenario.uncertainty.model_fields_set,
             "[everyday]": "everyday" in scenario.model_fields_set,
@@ -236,7 +237,7 @@ def scenario_file_of(data: Mapping[str, object], file: Path) -> ScenarioFile:
         for key in filter(unused.get, unused):
             warn(InputWarning("inventory.not_used", scenario=file.name, key=key))
         if not isinstance(buildings, dict):
-            raise InputError("inventory.buildings_not_a_table", "buildings")
+            raise not_allowed("buildings", shown(buildings), "scenario.table", "buildings")
         tables = cast("dict[str, object]", buildings)
         named = {name: building_table(f"buildings.{name}", table) for name, table in tables.items()}
         return ScenarioFile(file.stem, scenario, named, None if station is None else _station(station))

@@ -10,20 +10,19 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, within
-from stayput.fragility import JMA_INTENSITY, PGA, PGV, spectral_acceleration
-from stayput.fragility.intensity_measures import PERIODS
+from stayput.errors import InputError, unknown, within
+from stayput.fragility.intensity_measures import JMA_INTENSITY, PERIODS, PGA, PGV, spectral_acceleration
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.ground_shaking import MERCALLI_SCATTER
 from stayput.motion.intensity import mercalli_rise, pgv_of_mercalli
-from stayput.motion.spectrum import DAMPING
+from stayput.motion.response import DAMPING
 from stayput.motion.units import unit_factor
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.catalogue import Phrase
-    from stayput.fragility import IntensityMeasure
+    from stayput.fragility.intensity_measures import IntensityMeasure
 
 SCATTER_STEPS = 100
 """Into how many steps maps round the scatter of a level."""
@@ -254,14 +253,14 @@ def _field(name: str, kind: str, unit: str, period: float = 0.0) -> MapField:
         return MapField(name, JMA_INTENSITY, 1.0, -3.0, 9.0, "")
     if kind == "mmi":
         return MapField(name, PGV, 1.0, 0.0, MERCALLI[1], "", mercalli=True)
-    known = "cm/s, m/s" if kind == "pgv" else "%g, g, gal, cm/s², m/s²"
+    known = ("cm/s", "m/s") if kind == "pgv" else ("%g", "g", "gal", "cm/s²", "m/s²")
     try:
         if kind == "pgv":
             factor = _VELOCITIES[unit.strip().lower()]
         else:
             factor = unit_factor("%g" if unit.strip() == "%" else unit)
     except (InputError, KeyError):
-        raise InputError("inventory_tables.map_unit", column=repr(name), known=known) from None
+        raise unknown(phrase("inventory_tables.unit_of", name=name), unit, known) from None
     measure, low, high = (PGA, 1e-5, 100.0) if kind == "pga" else (PGV, 1e-6, 10.0)
     if kind == "sa":
         within(phrase("inventory.period", column=repr(name)), period, *PERIODS, "s")

@@ -13,7 +13,7 @@ from xml.etree import ElementTree
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, not_allowed, quoted, warn, within
+from stayput.errors import InputError, InputWarning, not_allowed, quoted, unknown, warn, within
 from stayput.inventory.columns import header_name
 from stayput.inventory.folder import unreadable
 from stayput.inventory.shakemap import ShakeMap, field_of, field_of_grid, unwrapped
@@ -86,7 +86,8 @@ def read_shakemap(path: Path, field: str | None = None, uncertainty: Path | None
         if is_xml(path):
             return _of_grid(path, field, uncertainty)
         if uncertainty is not None:
-            raise InputError("inventory_tables.uncertainty_of_csv", "uncertainty")
+            where = phrase("inventory_tables.of_csv")
+            raise InputError("common.left_out", "uncertainty", where=where)
         return _of_csv(path, field)
     except OSError as error:
         raise unreadable(error.filename or path, error) from None
@@ -96,7 +97,7 @@ def _of_grid(path: Path, wanted: str | None, uncertainty: Path | None) -> ShakeM
     grid = read_grid(path)
     fields = [field for name, unit in grid.units.items() if (field := field_of_grid(name, unit)) is not None]
     preferred = next((name for name in PREFERRED if name in _names(fields)), None)
-    field = _chosen(fields, wanted or preferred, path)
+    field = _chosen(fields, wanted or preferred)
     # a value below what can be is taken for the lowest
     least = min(field.low, 0.0)
     values = _in_range(grid.values[field.name], field.name, least, field.high, field.unit, "shakemap")
@@ -113,15 +114,10 @@ def _names(fields: Sequence[MapField]) -> dict[str, MapField]:
     return {field.name.lower(): field for field in fields}
 
 
-def _chosen(fields: Sequence[MapField], wanted: str | None, path: Path) -> MapField:
+def _chosen(fields: Sequence[MapField], wanted: str | None) -> MapField:
     known = _names(fields)
     if wanted is None or wanted.strip().lower() not in known:
-        raise InputError(
-            "inventory_tables.map_field",
-            "field",
-            path=repr(str(path)),
-            known=", ".join(field.name for field in fields) or phrase("inventory.nothing"),
-        )
+        raise unknown("field", wanted, [field.name for field in fields] or PREFERRED, "field")
     return known[wanted.strip().lower()]
 
 
@@ -132,7 +128,7 @@ def _in_range(
     finite = values[~np.isnan(values)]
     if finite.size and not (finite.min() >= low and finite.max() <= high):
         wrong = float(finite.max() if finite.max() > high else finite.min())
-        within(phrase("inventory_tables.in_the_map", name=name), wrong, low, high, unit, field)
+        within(phrase("inventory.on_the_map", name=name), wrong, low, high, unit, field)
     return values
 
 
@@ -170,15 +166,16 @@ def _of_csv(path: Path, wanted: str | None) -> ShakeMap:
             nothing: list[str] = []
             first: list[str] = next(reader, nothing)
             header = [_column(name) for name in first]
-            field, has_sigma = _field(header, wanted, path)
+            field, has_sigma = _field(header, wanted)
             names = (*PLACE, field.name, *([SIGMA] if has_sigma else []))
             columns = [header.index(name) for name in names]
             limits = (*LIMITS, (field.low, field.high, field.unit), (0.0, LARGEST_SIGMA, ""))
             for number, row in enumerate(reader, 2):
                 if any(cell.strip() for cell in row):
                     if len(row) != len(header):
-                        raise InputError(
-                            "inventory.map_cells", row=number, cells=len(row), columns=len(header)
+                        where = phrase("inventory.row", row=number)
+                        raise InputError("inventory.row_length", cells=len(row), columns=len(header)).at(
+                            where
                         )
                     lat, lon, value, *sigma = (
                         _checked(number, name, row[n], limit)
@@ -186,9 +183,9 @@ def _of_csv(path: Path, wanted: str | None) -> ShakeMap:
                     )
                     before = rows.setdefault((lat, lon), (number, value, sigma[0] if sigma else 0.0))[0]
                     if before != number:
-                        raise InputError(
-                            "inventory.map_place_twice", row=number, lat=lat, lon=lon, before=before
-                        )
+                        name = phrase("inventory.in_row_of_the_map", name="lat, lon", row=number)
+                        value, other = f"{lat:g}, {lon:g}", phrase("inventory.row", row=before)
+                        raise InputError("scenario.same_name", name=name, value=value, other=other)
     except (UnicodeDecodeError, csv.Error):
         raise not_allowed("inventory.the_map", repr(str(path)), "inventory.map_not_csv", "shakemap") from None
     if not rows:
@@ -211,14 +208,14 @@ def _column(name: str) -> str:
     return meant if meant in PLACE else name.strip().lower()
 
 
-def _field(header: list[str], wanted: str | None, path: Path) -> tuple[MapField, bool]:
+def _field(header: list[str], wanted: str | None) -> tuple[MapField, bool]:
     fields = [field for name in header if (field := field_of(name)) is not None]
     expected = sorted((*PLACE, *(field.name for field in fields)))
     names = sorted(name for name in header if name != SIGMA)
     if not fields or (wanted is None and len(fields) > 1) or names != expected or header.count(SIGMA) > 1:
         columns = ", ".join(header) or phrase("inventory.nothing")
         raise InputError("inventory.map_columns", "shakemap", columns=columns)
-    return (fields[0] if wanted is None else _chosen(fields, wanted, path)), SIGMA in header
+    return (fields[0] if wanted is None else _chosen(fields, wanted)), SIGMA in header
 
 
 def _checked(number: int, name: str, cell: str, limit: tuple[float, float, str]) -> float:
@@ -284,4 +281,4 @@ def read_grid(path: Path) -> MapGrid:
 
 def _refused(path: Path, key: str, **values: object) -> InputError:
     reason = phrase(f"inventory_tables.grid_{key}", **values)
-    return InputError("inventory_tables.grid", "shakemap", path=repr(str(path)), reason=reason)
+    return InputError("common.unreadable", "shakemap", file=repr(str(path)), reason=reason)

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from cachetools import FIFOCache
 
-from stayput.contents import Contents
+from stayput.contents.contents import Contents
 from stayput.inventory.shakemap import GroundLevel
 from stayput.measures import MEASURES, parameters
 from stayput.model.flat_fields import flat_fields, from_flat_fields

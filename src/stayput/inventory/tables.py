@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from datetime import date, time
 from decimal import Decimal
 from functools import lru_cache
+from itertools import count
 from typing import TYPE_CHECKING, Any, TextIO, cast
 from xml.etree.ElementTree import iterparse
 
@@ -207,9 +208,7 @@ def _delimiter(file: TextIO) -> str:
 
 
 def _csv_rows(reader: Any) -> Iterator[TableRow]:
-    number = 0
-    while True:
-        number += 1
+    for number in count(1):
         line = reader.line_num + 1
         try:
             row = next(reader)
@@ -218,7 +217,12 @@ def _csv_rows(reader: Any) -> Iterator[TableRow]:
         except csv.Error as error:
             if "unexpected end" in str(error) or "field limit" in str(error):
                 raise InputError("inventory.open_quote", row=number, line=line, most=LARGEST_CELL) from None
-            yield number, InputError("inventory.bad_row", reason=str(error).rstrip("."))
+            yield (
+                number,
+                InputError(
+                    "common.unreadable", file=phrase("inventory.a_row"), reason=str(error).rstrip(".")
+                ),
+            )
             continue
         yield number, cast("list[Cell]", row)
 
@@ -234,13 +238,10 @@ def _parquet(path: Path) -> Generator[Opened]:
 
 
 def _parquet_rows(file: Any) -> Iterator[TableRow]:
-    number = 1
-    yield number, list(file.schema_arrow.names)
-    for batch in file.iter_batches(BATCH):
-        columns = [column.to_pylist() for column in batch.columns]
-        for row in zip(*columns, strict=True):
-            number += 1
-            yield number, [_cell(value) for value in row]
+    yield 1, list(file.schema_arrow.names)
+    batches = ([column.to_pylist() for column in batch.columns] for batch in file.iter_batches(BATCH))
+    for number, row in enumerate((row for columns in batches for row in zip(*columns, strict=True)), 2):
+        yield number, [_cell(value) for value in row]
 
 
 def _cell(value: Any) -> Cell:

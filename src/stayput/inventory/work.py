@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.contents import Contents
+    from stayput.contents.contents import Contents
     from stayput.execution import Pool
     from stayput.inventory.scenarios import Scenarios
     from stayput.inventory.store import Store

@@ -334,36 +334,9 @@ def weakest(element: Element, devices: NDArray[np.void]) -> Phrase | None:
     return line.weakest
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Failures:
-    """The devices of cases together, shape [m] each.
-
-    Attributes
-    ----------
-    count : ndarray of int32
-        Devices that failed.
-    first : ndarray of float64
-        When the first one failed [s], or nan.
-    utilisation : ndarray of float64
-        Largest utilisation; 0 without devices.
-    """
-
-    count: NDArray[np.int32]
-    first: NDArray[np.float64]
-    utilisation: NDArray[np.float64]
-
-
-def failures_of(elements: NDArray[np.void], devices: NDArray[np.void]) -> Failures:
-    """Sum up the devices of cases, shape [m, n]."""
-    failed = (devices["failure"] != HOLDS) & (elements["kind"] != NONE)
-    times = np.where(failed, devices["failure_time"], math.inf)
-    first = times.min(axis=-1, initial=math.inf)
-    used = np.where(elements["kind"] != NONE, utilisation(elements, devices), 0.0)
-    return Failures(
-        failed.sum(axis=-1).astype(np.int32),
-        np.where(np.isfinite(first), first, math.nan),
-        used.max(axis=-1, initial=0.0),
-    )
+def failed(elements: NDArray[np.void], devices: NDArray[np.void]) -> NDArray[np.bool_]:
+    """Return which devices failed, of any shape; those that only pad the rows of a case did not."""
+    return (devices["failure"] != HOLDS) & (elements["kind"] != NONE)
 
 
 def device_result(

@@ -6,7 +6,7 @@ from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, ClassVar
 
 from stayput.catalogue import Phrase, phrase
-from stayput.errors import kinetic_above_static
+from stayput.errors import within
 from stayput.measures.element import Element, Line, damper
 from stayput.measures.measure import Held, Measure, UnderTheBase
 from stayput.model.parameters import parameter
@@ -56,9 +56,8 @@ class OtherFriction(UnderTheBase):
 
     def __post_init__(self) -> None:
         Measure.__post_init__(self)
-        if self.kinetic_friction > self.static_friction:
-            name, friction = phrase("measures.kinetic_friction", measure=self.label), self.kinetic_friction
-            raise kinetic_above_static(name, friction, self.static_friction, "kinetic_friction")
+        name = phrase("measures.kinetic_friction", measure=self.label)
+        within(name, self.kinetic_friction, 0.0, self.static_friction, field="kinetic_friction")
 
     def cautions(self, body: Body, room: Room) -> tuple[Phrase, ...]:
         """Return what a soft floor does to its friction."""

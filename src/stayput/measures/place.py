@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
 from stayput.catalogue import Phrase, phrase
-from stayput.errors import InputError
+from stayput.errors import InputError, not_allowed
 from stayput.measures.measure import Held, Measure, wall_behind
 from stayput.model.parameters import parameter
 
@@ -166,5 +166,5 @@ class LowerShelves(Measure):
         try:
             lighter = with_mass(body, -moved, 1.5 * half, (body.width, half))
         except InputError:  # what is left would have no inertia
-            raise InputError("measures.share", "share", measure=self.label, share=self.share) from None
+            raise not_allowed("share", f"{self.share:g}", "measures.upper_half", "share") from None
         return Held(with_mass(lighter, moved, 0.5 * half, (body.width, half)), room, (), (self,))

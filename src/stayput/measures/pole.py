@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from stayput.catalogue import Phrase, phrase
-from stayput.errors import InputError
+from stayput.errors import InputError, within
 from stayput.measures.element import Element, Line, at_rest
 from stayput.measures.fixing import CEILING_LINKS, POLE, TOP_BOARDS, Link, in_series
 from stayput.measures.measure import BadlyInstalled, Held, Measure, choice
@@ -153,9 +153,8 @@ class TensionPole(Measure):
         assert room.ceiling is not None
         point = (-body.width / 2 + self.setback, body.height)
         space = room.ceiling.height - at_rest(body, point)[1]
-        if not SHORTEST <= space <= LONGEST:
-            limits: dict[str, Any] = {"space": space, "low": SHORTEST, "high": LONGEST}
-            raise InputError("measures.length", "room.ceiling.height", measure=self.label, **limits)
+        called = phrase("measures.space_for", measure=self.label)
+        within(called, space, SHORTEST, LONGEST, "m", "room.ceiling.height")
         link = self.chain(room.ceiling.construction)
         # what a user gives, he has; a default pole is tightened as far as its ceiling lets it be
         tightened = 1.0 if self.strength is not None else TIGHTENED

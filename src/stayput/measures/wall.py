@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
 from stayput.catalogue import Phrase, phrase
-from stayput.errors import InputError
+from stayput.errors import InputError, within
 from stayput.measures.element import Element, Line, at_rest, damper
 from stayput.measures.fixing import (
     BELT,
@@ -147,10 +147,8 @@ class Bracket(WallDevice):
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with an element from its back to the wall."""
         wall = wall_behind(self, room)
-        if wall.gap > REACH:
-            raise InputError(
-                "measures.too_far", "room.left_wall.gap", measure=self.label, gap=wall.gap, most=REACH
-            )
+        called = phrase("measures.gap_for", measure=self.label)
+        within(called, wall.gap, 0.0, REACH, "m", "room.left_wall.gap")
         point = (-body.width / 2, self.height * body.height)
         made_of = self.fixed_to(wall)
         pull = self.drawn(made_of, at_rest(body, point)[1], height_of(room))

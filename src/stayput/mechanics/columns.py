@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 
@@ -15,56 +17,55 @@ def integers(*names: str) -> list[tuple[str, str]]:
     return [(name, "i8") for name in names]
 
 
-CASE = np.dtype(
-    [
-        ("inertia", "f8"),  # I = J_G/m [m²]
-        ("u", "f8", (4,)),  # corners A, B, C, D relative to G, + right [m]
-        ("v", "f8", (4,)),  # the same, + up [m]
-        *floats("gravity", "scale"),  # g [m/s²], factor on the motion, all components
-        *floats("static_friction", "kinetic_friction"),  # μ and μ', flat base
-        *floats("edge_static_friction", "edge_kinetic_friction"),
-        # of the corners A and B alone, tipped or flat; NaN: as above
-        *floats("left_edge_static_friction", "left_edge_kinetic_friction"),
-        *floats("right_edge_static_friction", "right_edge_kinetic_friction"),
-        *floats("restitution", "normal_restitution"),  # e, factor on the rate at a change of fulcrum; e_n
-        # distances of walls, inf where there is none, and the height of the ceiling above the floor [m]
-        *floats("right_distance", "right_restitution", "right_friction"),
-        *floats("left_distance", "left_restitution", "left_friction"),
-        *floats("ceiling_distance", "ceiling_restitution", "ceiling_friction"),
-        *floats("tilt", "tilt_rate", "slide", "slide_rate"),  # initial state [rad, rad/s, m, m/s]
-        # read in space alone: mass [kg]; across the section [m], NaN where the body has none; half of what
-        # the feet span of it; moments about the horizontal in the section and the vertical, over m [m²]; what
-        # bears, by its place in `BASES`; e without the place of a landing, and that; walls to −y and +y
-        *floats("mass", "length", "half_base", "roll_inertia", "yaw_inertia", "base"),
-        *floats("floor_restitution", "landing_place"),
-        *floats("near_side_distance", "near_side_restitution", "near_side_friction"),
-        *floats("far_side_distance", "far_side_restitution", "far_side_friction"),
-    ],
-    align=True,
+def record(*fields: tuple[Any, ...]) -> np.dtype[np.void]:
+    """Return the layout of a record with some fields, each where the processor reads it fastest."""
+    return np.dtype([*fields], align=True)
+
+
+CASE = record(
+    ("inertia", "f8"),  # I = J_G/m [m²]
+    ("u", "f8", (4,)),  # corners A, B, C, D relative to G, + right [m]
+    ("v", "f8", (4,)),  # the same, + up [m]
+    *floats("gravity", "scale"),  # g [m/s²], factor on the motion, all components
+    *floats("static_friction", "kinetic_friction"),  # μ and μ', flat base
+    *floats("edge_static_friction", "edge_kinetic_friction"),
+    # of the corners A and B alone, tipped or flat; NaN: as above
+    *floats("left_edge_static_friction", "left_edge_kinetic_friction"),
+    *floats("right_edge_static_friction", "right_edge_kinetic_friction"),
+    *floats("restitution", "normal_restitution"),  # e, factor on the rate at a change of fulcrum; e_n
+    # distances of walls, inf where there is none, and the height of the ceiling above the floor [m]
+    *floats("right_distance", "right_restitution", "right_friction"),
+    *floats("left_distance", "left_restitution", "left_friction"),
+    *floats("ceiling_distance", "ceiling_restitution", "ceiling_friction"),
+    *floats("tilt", "tilt_rate", "slide", "slide_rate"),  # initial state [rad, rad/s, m, m/s]
+    # read in space alone: mass [kg]; across the section [m], NaN where the body has none; half of what
+    # the feet span of it; moments about the horizontal in the section and the vertical, over m [m²]; what
+    # bears, by its place in `BASES`; e without the place of a landing, and that; walls to −y and +y
+    *floats("mass", "length", "half_base", "roll_inertia", "yaw_inertia", "base"),
+    *floats("floor_restitution", "landing_place"),
+    *floats("near_side_distance", "near_side_restitution", "near_side_friction"),
+    *floats("far_side_distance", "far_side_restitution", "far_side_friction"),
 )
 """One case without its motion; the batch runs an array of these."""
 
-STATE = np.dtype(
-    [
-        *floats("x", "z"),  # G, right of where the middle of the base stood, above the floor [m]
-        *floats("theta", "sin", "cos"),  # from the upright body's position, unlike reported tilts [rad]
-        *floats("vx", "vz", "omega"),
-        ("alpha", "f8"),  # θ̈ just before the last event, for the look-ahead when a mode is chosen
-        ("tau", "f8"),  # time since the sample k [s]
-        ("k", "i8"),
-        *integers("kind", "i", "j", "d", "dj"),  # the mode, with its contacts and slip directions
-        *integers("closed", "present"),  # bits of the closed contacts, and of those that exist in this room
-        # a body at rest stays there while the load (ẍ_G, G) lies between two rays
-        *floats("low", "low_up", "high", "high_up"),
-        ("rest", "f8"),  # tilt with both base corners on the floor [rad]
-        *floats("foot_a", "foot_b"),  # x of the corners A and B at rest with slide 0 [m]
-        ("settle_rate", "f8"),  # a contact that opens no faster than this after an impact stays closed [m/s]
-        ("hit", "i8"),  # bits of the contacts that closed in the last event
-        *floats("peak_tilt", "peak_slide"),
-        *integers("floor_impacts", "wall_impacts", "events", "steps"),
-        ("moved", "i8"),  # bits: 1 slid, 2 rocked, 4 flew
-    ],
-    align=True,
+STATE = record(
+    *floats("x", "z"),  # G, right of where the middle of the base stood, above the floor [m]
+    *floats("theta", "sin", "cos"),  # from the upright body's position, unlike reported tilts [rad]
+    *floats("vx", "vz", "omega"),
+    ("alpha", "f8"),  # θ̈ just before the last event, for the look-ahead when a mode is chosen
+    ("tau", "f8"),  # time since the sample k [s]
+    ("k", "i8"),
+    *integers("kind", "i", "j", "d", "dj"),  # the mode, with its contacts and slip directions
+    *integers("closed", "present"),  # bits of the closed contacts, and of those that exist in this room
+    # a body at rest stays there while the load (ẍ_G, G) lies between two rays
+    *floats("low", "low_up", "high", "high_up"),
+    ("rest", "f8"),  # tilt with both base corners on the floor [rad]
+    *floats("foot_a", "foot_b"),  # x of the corners A and B at rest with slide 0 [m]
+    ("settle_rate", "f8"),  # a contact that opens no faster than this after an impact stays closed [m/s]
+    ("hit", "i8"),  # bits of the contacts that closed in the last event
+    *floats("peak_tilt", "peak_slide"),
+    *integers("floor_impacts", "wall_impacts", "events", "steps"),
+    ("moved", "i8"),  # bits: 1 slid, 2 rocked, 4 flew
 )
 
 # contacts: a corner of the body (A, B of the base, C, D of the top) on a plane (0 floor, 1 right wall,
@@ -75,28 +76,22 @@ PLANE = (0, 0, 1, 1, 2, 2, 3, 3)
 FLOOR_BITS = 0b00000011
 CONTACTS = 8
 
-CONTACT = np.dtype(
-    [
-        *floats("sigma", "kappa"),  # r sin β and r cos β: the corner from G in the plane's axes, at θ = 0 [m]
-        *floats("offset", "cos", "sin"),  # of the plane, along its normal [m], and its direction
-        *floats("mu_static", "mu_kinetic", "restitution"),
-        ("level", "f8"),  # gap [m], or rate of slip [m/s], at which the present step ends
-    ],
-    align=True,
+CONTACT = record(
+    *floats("sigma", "kappa"),  # r sin β and r cos β: the corner from G in the plane's axes, at θ = 0 [m]
+    *floats("offset", "cos", "sin"),  # of the plane, along its normal [m], and its direction
+    *floats("mu_static", "mu_kinetic", "restitution"),
+    ("level", "f8"),  # gap [m], or rate of slip [m/s], at which the present step ends
 )
 """One contact: a corner and a plane."""
 
-ROW = np.dtype(
-    [
-        *floats("nx", "nz", "nl", "tx", "tz", "tl"),  # unit normal and tangent, each with its lever arm [m]
-        *floats("bias_n", "bias_t"),  # normal and tangential rates without contact forces
-        ("target", "f8"),  # normal rate that a pressing contact must have
-        *floats("mu_stick", "mu_slip"),  # static and kinetic coefficients of this corner alone in contact
-        *floats("flat_stick", "flat_slip_right", "flat_slip_left"),  # with the other corner of the plane
-        ("slipping", "f8"),  # direction of slip, 0 where there is none
-        ("index", "i8"),  # which contact
-    ],
-    align=True,
+ROW = record(
+    *floats("nx", "nz", "nl", "tx", "tz", "tl"),  # unit normal and tangent, each with its lever arm [m]
+    *floats("bias_n", "bias_t"),  # normal and tangential rates without contact forces
+    ("target", "f8"),  # normal rate that a pressing contact must have
+    *floats("mu_stick", "mu_slip"),  # static and kinetic coefficients of this corner alone in contact
+    *floats("flat_stick", "flat_slip_right", "flat_slip_left"),  # with the other corner of the plane
+    ("slipping", "f8"),  # direction of slip, 0 where there is none
+    ("index", "i8"),  # which contact
 )
 """A closed contact in the contact problem (see `contact`): its row of the Jacobian, rates and friction."""
 
@@ -146,14 +141,11 @@ RESTED, SLID, ROCKED, LEANING, OVERTURNED_OUTCOME, FAILED_OUTCOME = range(6)
 # bits of state.moved
 MOVED_SLIDING, MOVED_ROCKING, MOVED_FLYING = 1, 2, 4
 
-RESULT = np.dtype(
-    [
-        ("outcome", "i8"),
-        ("end", "f8"),  # s
-        *floats("peak_slide", "residual_slide"),  # m
-        *floats("peak_tilt", "residual_tilt"),  # from rest, as all tilts that are reported [rad]
-        *integers("floor_impacts", "wall_impacts", "events", "steps"),
-    ],
-    align=True,
+RESULT = record(
+    ("outcome", "i8"),
+    ("end", "f8"),  # s
+    *floats("peak_slide", "residual_slide"),  # m
+    *floats("peak_tilt", "residual_tilt"),  # from rest, as all tilts that are reported [rad]
+    *integers("floor_impacts", "wall_impacts", "events", "steps"),
 )
 """Result of one case in a batch."""

@@ -7,8 +7,6 @@ whether each sticks (T free) or slips (T = −μ d N); it is consistent when N �
 it slips in the direction assumed, and no inactive contact closes further (Shenton 1996 for one block).
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inner
@@ -221,8 +219,7 @@ def slide_on_two_planes(rows, contacts, case, s, sin, cos, omega, a, G, fl):
     """
     I = case.inertia
     fill_rows(rows, contacts, s.closed, sin, cos, case)
-    for k in range(2):
-        row = rows[k]
+    for row in rows[:2]:
         row.bias_n = to_plane_axes(contacts[row.index], -a, -G)[1] - omega * omega * row.tl + row.nl * fl / I
         row.target = 0.0
     i, j = (0, 1) if s.i < s.j else (1, 0)

@@ -4,8 +4,6 @@ There is one loop for bodies with and without devices. Where a case has none, ``
 leaves out what devices need: a bare body compiles in less time, and runs as fast as if they were unknown.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import entry, inline, inner

@@ -1,7 +1,5 @@
 """Rest and flat sliding: the modes without rotation, in closed form."""
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import entry, inner
@@ -66,14 +64,20 @@ def _time_until_positive(f0, f1, h):
 
 
 @inner
+def _time_in_cone(s, a0, G0, a1, G1, h):
+    """Time in a step, with these loads at its ends, at which the load leaves the state's cone, or h."""
+    return min(
+        _time_until_positive(-cross(a0, G0, s.low, s.low_up), -cross(a1, G1, s.low, s.low_up), h),
+        _time_until_positive(-cross(s.high, s.high_up, a0, G0), -cross(s.high, s.high_up, a1, G1), h),
+    )
+
+
+@inner
 def _time_at_rest(held, s, a0, G0, a1, G1, h):
     """Time in a step, with these loads at its ends, at which rest ends, or h."""
     if held is not None:
         return time_within_facets(held.work, a0, G0, a1, G1, h)
-    t = min(
-        _time_until_positive(-cross(a0, G0, s.low, s.low_up), -cross(a1, G1, s.low, s.low_up), h),
-        _time_until_positive(-cross(s.high, s.high_up, a0, G0), -cross(s.high, s.high_up, a1, G1), h),
-    )
+    t = _time_in_cone(s, a0, G0, a1, G1, h)
     if is_single_ray(s.low, s.low_up, s.high, s.high_up):
         along0, along1 = a0 * s.low + G0 * s.low_up, a1 * s.low + G1 * s.low_up
         t = min(t, _time_until_positive(-along0, -along1, h))
@@ -162,11 +166,7 @@ def advance_slide(contacts, case, s, motion, friction, lifts, history):
             if t < h or outcome == ENDED:
                 h, outcome = t, LIMIT
         if not lifts:  # the paper's body rocks where the load is beyond (b/h)g, sliding or not
-            a1, G1 = a + a_rate * h, G + G_rate * h
-            t = min(
-                _time_until_positive(-cross(a, G, s.low, s.low_up), -cross(a1, G1, s.low, s.low_up), h),
-                _time_until_positive(-cross(s.high, s.high_up, a, G), -cross(s.high, s.high_up, a1, G1), h),
-            )
+            t = _time_in_cone(s, a, G, a + a_rate * h, G + G_rate * h, h)
             if t < h:
                 h, outcome = t, LIMIT
         for c in range(CONTACTS):

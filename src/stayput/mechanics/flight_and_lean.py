@@ -1,7 +1,5 @@
 """Flight (no contact), and lean: sliding on two planes at once, such as floor and wall."""
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner

@@ -1,7 +1,5 @@
 """Rocking and slide-rocking: integration of a body on one fulcrum to its next event."""
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner

@@ -10,8 +10,6 @@ n·(ẍ_G, G)), G = g + z̈_G, and the corner at σ = r sin(β−θ) along t fro
 κ = r cos(β−θ) below it, along n.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner

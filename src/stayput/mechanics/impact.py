@@ -7,8 +7,6 @@ can create energy (Kane's paradox); where it would, the impulses are those of a 
 that of friction on slip, not above zero, and the energy changes by (1 + e) p·v⁺ − ½(1 − e²) p·M⁻¹p.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inner
@@ -39,8 +37,7 @@ MAX_SEQUENTIAL_IMPULSES = 200
 def _tabulate(rows, contacts, closed, case, s):
     """Fill the rows of an impact: velocities before it, and the normal velocities required after it."""
     count = fill_rows(rows, contacts, closed, s.sin, s.cos, case)
-    for k in range(count):
-        row = rows[k]
+    for row in rows[:count]:
         con = contacts[row.index]
         row.bias_n, row.bias_t = gap_rate(con, s), slip_rate(con, s)
         rebound = -con.restitution * min(row.bias_n, 0.0)

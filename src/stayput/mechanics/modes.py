@@ -6,8 +6,6 @@ set up. At the instant of an event a force is exactly at its limit, so the choic
 the state a moment later (`LOOKAHEAD`). The forces of devices act beside the loads.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inner
@@ -103,8 +101,7 @@ def _fill_rows_ahead(scratch, closed, case, s, still_rate, a, G, wrench):
     contacts, rows = scratch.contacts, scratch.rows
     count = fill_rows(rows, contacts, closed, s.sin + turn * s.cos, s.cos - turn * s.sin, case)
     spin = fl / case.inertia
-    for k in range(count):
-        row = rows[k]
+    for row in rows[:count]:
         con = contacts[row.index]
         tangential, normal = to_plane_axes(con, fx - a, fz - G)
         row.bias_n = normal - omega * omega * row.tl + row.nl * spin

@@ -6,8 +6,6 @@ the slip rate as it is. A wall impact reverses the rotation rate (Eq. 3.15, θ̇
 the base itself meets the wall, the slip rate.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inner

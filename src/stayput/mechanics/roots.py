@@ -1,7 +1,5 @@
 """First zero of a smooth function within a step, from its values and derivatives at both ends."""
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner

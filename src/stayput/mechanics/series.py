@@ -13,8 +13,6 @@ The right-hand sides are products of series whose coefficients follow by recurre
 τ⁷ costs about as much as two evaluations, and provides dense output.
 """
 
-from __future__ import annotations
-
 from stayput.compiling import inline, inner
 from stayput.mechanics.elementary import sixth_root
 

@@ -6,7 +6,8 @@ import math
 from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING
 
-from stayput.errors import InputError, finite, instance_of, list_of, not_allowed, numbers, within
+from stayput.catalogue import phrase
+from stayput.errors import InputError, finite, instance_of, list_of, not_allowed, numbers
 from stayput.model.parameters import (
     GRAVITY,
     MASS_RANGE,
@@ -153,10 +154,8 @@ class Body(Shapes, Brief):
         label = parameter_of(Body, "cg_offset").label
         e_x, e_z = (finite(label, value, "cg_offset") for value in self.cg_offset)
         if abs(e_x) >= self.width / 2 or abs(e_z) >= self.height / 2:
-            half_width, half_height = self.width / 2, self.height / 2
-            raise InputError(
-                "model.cg_outside", "cg_offset", x=e_x, z=e_z, half_width=half_width, half_height=half_height
-            )
+            inside = phrase("model.inside_the_section", width=self.width / 2, height=self.height / 2)
+            raise not_allowed(label, f"({e_x:g}, {e_z:g}) m", inside, "cg_offset")
         if self.inertia is not None:
             largest = 4.0 * self.mass * (self.width**2 + self.height**2)
             bounds = (1e-6 * self.uniform_inertia, largest)
@@ -168,9 +167,8 @@ class Body(Shapes, Brief):
             parameter_of(Body, "base_insets").check(value, bounds=(0.0, MOST_INSET * self.width))
         (left, _), (right, _), _, _ = self.corners
         if not left < 0.0 < right:
-            raise InputError(
-                "model.cg_beside_base", "base_insets", x=e_x, insets=repr(self.base_insets), width=self.width
-            )
+            label, bearing = parameter_of(Body, "base_insets").label, phrase("model.bearing_insets", x=e_x)
+            raise not_allowed(label, repr(self.base_insets), bearing, "base_insets")
 
     def _repr_html_(self) -> str:
         from stayput.report.notebook import body_html
@@ -309,14 +307,7 @@ class Body(Shapes, Brief):
         return g * math.tan(left + self.resting_tilt), g * math.tan(right - self.resting_tilt)
 
     @classmethod
-    def from_parts(
-        cls,
-        width: float,
-        height: float,
-        parts: Iterable[Part],
-        *,
-        base_heights: tuple[float, float] = (0.0, 0.0),
-    ) -> Body:
+    def from_parts(cls, width: float, height: float, parts: Iterable[Part]) -> Body:
         """Make a body from its parts: mass, centre of gravity and inertia follow (parallel axes).
 
         Parameters
@@ -325,8 +316,6 @@ class Body(Shapes, Brief):
             Outer section [m].
         parts : iterable of Part
             The carcass, the shelves and their loads.
-        base_heights : tuple of float
-            As for `Body`.
 
         Raises
         ------
@@ -343,18 +332,10 @@ class Body(Shapes, Brief):
         inertia = sum(
             p.mass * ((p.width**2 + p.height**2) / 12.0 + (p.x - x_g) ** 2 + (p.z - z_g) ** 2) for p in pieces
         )
-        return cls(width, height, mass, (x_g, z_g - height / 2), inertia, base_heights)
+        return cls(width, height, mass, (x_g, z_g - height / 2), inertia)
 
     @classmethod
-    def bookcase(
-        cls,
-        width: float,
-        height: float,
-        mass: float,
-        loads: Iterable[float],
-        *,
-        load_width: float | None = None,
-    ) -> Body:
+    def bookcase(cls, width: float, height: float, mass: float, loads: Iterable[float]) -> Body:
         """Make a bookcase: a uniform carcass and equally spaced shelves with a load on each.
 
         Parameters
@@ -365,18 +346,14 @@ class Body(Shapes, Brief):
             Mass of the empty carcass [kg], spread over the section.
         loads : iterable of float
             Load on each shelf from the lowest up [kg]; each fills its compartment.
-        load_width : float, optional
-            Depth of the load along the shaking [m]; default the full width.
         """
         shelves = list_of("loads", loads)
         _check_size(width, height)
         if not shelves:
             raise InputError("common.empty", "loads")
         clear = height / len(shelves)
-        depth = width if load_width is None else load_width
-        within("model.load_width", depth, 0.0, width, "m", "load_width")
         carcass = Part(mass, 0.0, height / 2, width, height)
-        books = (Part(load, 0.0, (i + 0.5) * clear, depth, clear) for i, load in enumerate(shelves))
+        books = (Part(load, 0.0, (i + 0.5) * clear, width, clear) for i, load in enumerate(shelves))
         return cls.from_parts(width, height, (carcass, *books))
 
 

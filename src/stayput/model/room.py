@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import kinetic_above_static, not_allowed, shown, word_of
+from stayput.errors import not_allowed, shown, within, word_of
 from stayput.model.parameters import check_fields, parameter, quantity
 from stayput.uncertainty import Confidence
-from stayput.vocabulary import meant, preset_meant
+from stayput.vocabulary import preset_meant
 from stayput.wording import Brief, brief, check_language
 
 if TYPE_CHECKING:
@@ -128,9 +128,8 @@ class Floor:
         flat, edge = (self.static_friction, self.kinetic_friction), self.edge_friction
         each = (flat, edge, self._own("left_edge_", edge), self._own("right_edge_", edge))
         for (base, called), (static, kinetic) in zip(_BASES.items(), each, strict=True):
-            if kinetic > static:
-                name = phrase("model.kinetic_friction", surface=called)
-                raise kinetic_above_static(name, kinetic, static, f"{base}kinetic_friction")
+            name = phrase("model.kinetic_friction", surface=called)
+            within(name, kinetic, 0.0, static, field=f"{base}kinetic_friction")
 
     @property
     def edge_friction(self) -> tuple[float, float]:
@@ -355,14 +354,13 @@ class Room(Brief):
         return plotted(ax, draw_body_in_room, body, self, check_language(language))
 
     def __post_init__(self) -> None:
-        _refuse_other("floor", self.floor, Floor, _floor_made_of(self.floor))
-        for name in WALLS_AROUND:
-            wall = getattr(self, name)
-            if wall is not None:
-                _refuse_other(name, wall, Wall, f"Wall(gap={_number_or(wall, 0.02)!r})")
-        if self.ceiling is not None:
-            example = f"Ceiling(height={_number_or(self.ceiling, 2.4)!r})"
-            _refuse_other("ceiling", self.ceiling, Ceiling, example)
+        parts = {"floor": (Floor, "Floor.of('wood flooring')"), "ceiling": (Ceiling, "Ceiling(height=2.4)")}
+        for name in ("floor", *WALLS_AROUND, "ceiling"):
+            kind, example = parts.get(name, (Wall, "Wall(gap=0.02)"))
+            value = getattr(self, name)
+            if not isinstance(value, kind) and (value is not None or name == "floor"):
+                allowed = phrase("model.part_of_room", example=example)
+                raise not_allowed(name, shown(value), allowed, name)
 
     def refuse_side_walls(self) -> None:
         """Raise `InputError` where it has a side wall, which the plane has not."""
@@ -370,18 +368,3 @@ class Room(Brief):
             if getattr(self, name) is not None:
                 wall = f"room.{name}"
                 raise not_allowed("dimensions", "2", phrase("model.side_wall_in_the_plane", name=wall), wall)
-
-
-def _refuse_other(name: str, value: object, kind: type, example: str) -> None:
-    """Raise `InputError` with an example where a part of a room is no value of its type."""
-    if not isinstance(value, kind):
-        raise not_allowed(name, shown(value), phrase("model.part_of_room", example=example), name)
-
-
-def _floor_made_of(value: object) -> str:
-    known = isinstance(value, str) and meant("floor", value) in SURFACES
-    return f"Floor.of({value if known else 'wood flooring'!r})"
-
-
-def _number_or(value: object, usual: float) -> float:
-    return value if isinstance(value, int | float) and not isinstance(value, bool) else usual

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from stayput.errors import InputError, no_length
+from stayput.errors import no_length, too_many
 from stayput.model.inertia import inertia_of, principal_axes
 from stayput.model.polyhedron import (
     TOLERANCE,
@@ -133,7 +133,9 @@ class Solid:
         check_size(points, "vertices")
         hull = convex_hull(points)
         if len(hull.vertices) > MOST_VERTICES:
-            raise InputError("solids.too_many", "vertices", count=len(hull.vertices), most=MOST_VERTICES)
+            raise too_many(
+                "mechanics.the_body", len(hull.vertices), "solids.corners", MOST_VERTICES, "vertices"
+            )
         mass = checked_mass(mass)
         uniform = uniform_solid(hull.vertices, triangulated(hull.faces))
         usual = mass * inertia_of(uniform.second_moments)

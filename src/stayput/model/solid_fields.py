@@ -115,14 +115,15 @@ def checked_inertia(
         raise InputError("solids.inertia_not_symmetric", "inertia", difference=difference)
     tensor = (tensor + tensor.T) / 2.0
     moments = np.linalg.eigvalsh(tensor)
-    text = ", ".join(f"{moment:.4g}" for moment in moments)
+    text = f"{', '.join(f'{moment:.4g}' for moment in moments)} kg m²"
     if not (moments[0] > 0.0 and moments[2] <= (1.0 + 1e-9) * (moments[0] + moments[1])):
-        raise InputError("solids.inertia_not_possible", "inertia", moments=text)
+        raise not_allowed("solids.moments", text, "solids.possible_moments", "inertia")
     # what other units would give: kg mm², g m²
     low = 1e-7 * float(np.linalg.eigvalsh(usual)[0])
     high = 4.0 * mass * float((np.ptp(hull.vertices, axis=0) ** 2).sum())
     if not low <= moments[0] <= moments[2] <= high:
-        raise InputError("solids.inertia_size", "inertia", moments=text, low=low, high=high)
+        allowed = phrase("solids.usual_moments", low=low, high=high)
+        raise not_allowed("solids.moments", text, allowed, "inertia")
     return read_only(tensor)
 
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.fragility import Probability
+    from stayput.fragility.probabilities import Probability
 
 OVERTURNED, SLID, HIT_WALL, DEVICE_FAILED = "overturned", "slid", "hit_wall", "device_failed"
 EVENTS = (OVERTURNED, SLID, HIT_WALL, DEVICE_FAILED)

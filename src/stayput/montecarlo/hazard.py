@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.errors import InputError
-from stayput.fragility import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV, IntensityMeasure
+from stayput.fragility.intensity_measures import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV, IntensityMeasure
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import of_the_ground
 from stayput.motion.ground_shaking import GroundStrength, horizontal_peak, horizontal_sa
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.mechanics.runner import Shaking
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.motion.suites.suite import Suite
     from stayput.scenario import Scenario
     from stayput.scenario.tables import BuildingTable

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.measures.element import failures_of, utilisation
+from stayput.measures.element import failed, utilisation
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
 from stayput.mechanics.runner import no_elements
 from stayput.montecarlo.counting import Outcomes
@@ -84,12 +84,12 @@ def run_level(
     motions = len(floors.motions)
     cases, elements, motion = joined_rows(rows, motions)
     results, devices = _ran(cases, elements, motion, floors, threads, progress)
-    failed = failures_of(elements, devices).count > 0
+    broken = failed(elements, devices).sum(axis=-1) > 0
     runs: list[Runs] = []
     start = 0
     for piece_rows in rows:
         part = slice(start, start + len(piece_rows.cases))
-        runs.append(_runs(piece_rows, results[part], devices[part], failed[part], motions))
+        runs.append(_runs(piece_rows, results[part], devices[part], broken[part], motions))
         start = part.stop
     return runs
 
@@ -136,12 +136,12 @@ def _side_by_side(rows: list[NDArray[np.void]]) -> NDArray[np.void]:
 
 
 def _runs(
-    rows: Rows, results: NDArray[np.void], devices: NDArray[np.void], failed: NDArray[np.bool_], motions: int
+    rows: Rows, results: NDArray[np.void], devices: NDArray[np.void], broken: NDArray[np.bool_], motions: int
 ) -> Runs:
     shape = (motions, len(results) // motions)
     count = rows.elements.shape[1]
     used = utilisation(rows.elements, devices[:, :count])
-    outcomes = Outcomes.of(results.reshape(shape), failed.reshape(shape))
+    outcomes = Outcomes.of(results.reshape(shape), broken.reshape(shape))
     return Runs(
         **{field.name: getattr(outcomes, field.name) for field in fields(Outcomes)},
         devices=devices[:, :count].reshape((*shape, count)),
@@ -165,16 +165,16 @@ def run_prepared(rows: Sequence[Rows], floor: PreparedFloor) -> list[Outcomes]:
     cases = np.stack([piece_rows.cases.reshape(shape) for piece_rows in rows])
     elements = np.stack([piece_rows.elements.reshape((*shape, -1)) for piece_rows in rows])
     results: list[NDArray[np.void]] = []
-    failed: list[NDArray[np.bool_]] = []
+    broken: list[NDArray[np.bool_]] = []
     for motion, shaking in enumerate(floor.shakings):
         motion_cases = np.ascontiguousarray(cases[:, motion]).ravel()
         motion_cases["scale"] = floor.scales[motion]
         motion_elements = np.ascontiguousarray(elements[:, motion]).reshape(len(motion_cases), -1)
         result, devices = run_rows(motion_cases, motion_elements, shaking)
         results.append(result.reshape(len(rows), -1))
-        failed.append((failures_of(motion_elements, devices).count > 0).reshape(len(rows), -1))
-    together, broken = np.stack(results, axis=1), np.stack(failed, axis=1)
-    return [Outcomes.of(result, bad) for result, bad in zip(together, broken, strict=True)]
+        broken.append((failed(motion_elements, devices).sum(axis=-1) > 0).reshape(len(rows), -1))
+    together = zip(np.stack(results, axis=1), np.stack(broken, axis=1), strict=True)
+    return [Outcomes.of(result, bad) for result, bad in together]
 
 
 CALM_TILT = 0.3
@@ -261,7 +261,7 @@ def run_levels(
         if not len(starts):
             continue
         calm = np.zeros(len(cases), np.bool_)
-        used = failures_of(chosen_elements, devices).utilisation
+        used = utilisation(chosen_elements, devices).max(axis=-1, initial=0.0)
         calm[chosen] = calm_runs(chosen_cases, results, used, floors.dimensions)
         by_group = np.logical_and.reduceat(calm.reshape(shape).all(axis=2), starts, axis=1)
         together = np.repeat(by_group, np.diff(starts, append=motions), axis=1)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
-from stayput.fragility import Probability, samples_needed
+from stayput.fragility.probabilities import Probability, samples_needed
 from stayput.measures import Measure, element_rows, hold
 from stayput.measures.wall import REACH
 from stayput.mechanics.runner import no_elements
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.measures.measure import Held
+    from stayput.model.room import Wall
     from stayput.montecarlo.counting import Outcomes
     from stayput.scenario import Scenario
 
@@ -207,15 +208,13 @@ def _drawn_inset(body: Body, side: int, share: NumberOrColumn) -> NumberOrColumn
 
 def drawn_place(room: Room, draw: Draw) -> Room:
     """Return the room with the walls at the distances drawn, before measures are put in place."""
+    return _with_walls(room, lambda wall: replace(wall, gap=float(_drawn_gap(wall.gap, draw.wall_gap))))
+
+
+def _with_walls(room: Room, change: Callable[[Wall], Wall]) -> Room:
+    """Return a room with each of its walls changed."""
     walls = {name: getattr(room, name) for name in WALLS_AROUND}
-    return replace(
-        room,
-        **{
-            name: replace(wall, gap=float(_drawn_gap(wall.gap, draw.wall_gap)))
-            for name, wall in walls.items()
-            if wall is not None
-        },
-    )
+    return replace(room, **{name: change(wall) for name, wall in walls.items() if wall is not None})
 
 
 def _drawn_gap(gap: float, factor: NumberOrColumn) -> NumberOrColumn:
@@ -246,13 +245,11 @@ def drawn_floor(floor: Floor, draw: Draw) -> Floor:
 
 def drawn_surfaces(room: Room, draw: Draw) -> Room:
     """Return the room with friction, restitution and softness as drawn, after measures were put in place."""
-    walls = {name: getattr(room, name) for name in WALLS_AROUND}
-    drawn = {
-        name: replace(wall, restitution=float(_drawn_rebound(wall.restitution, draw.wall_restitution)))
-        for name, wall in walls.items()
-        if wall is not None
-    }
-    return replace(room, floor=drawn_floor(room.floor, draw), **drawn)
+
+    def drawn(wall: Wall) -> Wall:
+        return replace(wall, restitution=float(_drawn_rebound(wall.restitution, draw.wall_restitution)))
+
+    return replace(_with_walls(room, drawn), floor=drawn_floor(room.floor, draw))
 
 
 def _drawn_rebound(stated: NumberOrColumn, drawn: NumberOrColumn) -> NumberOrColumn:

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.montecarlo.hazard import FloorMotions
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.simulation.piece import Piece
     from stayput.simulation.run import Run
     from stayput.uncertainty import Marginal
@@ -52,6 +52,8 @@ class DrawOfSeveral(NamedTuple):
         Factor on the friction between pieces.
     joints : float
         Factor on the strengths of the joints.
+    lean : float
+        By what the floor falls towards where the motion's x points [rad]; no piece leans on its own feet.
     direction : float
         Where the motion's x points in plan, from x towards y [rad].
     """
@@ -59,6 +61,7 @@ class DrawOfSeveral(NamedTuple):
     pieces: tuple[Draw, ...]
     between: float
     joints: float
+    lean: float = 0.0
     direction: float = 0.0
 
     @property
@@ -113,26 +116,15 @@ def draws_of_several(
 
     def draw(motion: int, sample: int) -> DrawOfSeveral:
         values = dict(shared[motion][sample])
-        between, joints, towards = (values.pop(name) for name in (*LIKE, "direction"))
-        pieces = tuple(Draw(**values | columns[motion][sample]) for columns in of_pieces)
-        return DrawOfSeveral(pieces, between, joints, towards if direction is None else direction)
+        between, joints, lean, towards = (values.pop(name) for name in (*LIKE, "lean", "direction"))
+        pieces = tuple(Draw(**values | columns[motion][sample], lean=0.0) for columns in of_pieces)
+        return DrawOfSeveral(pieces, between, joints, lean, towards if direction is None else direction)
 
     return [[draw(motion, sample) for sample in range(samples)] for motion in range(motions)]
 
 
-def leans_alone(scene: Scene) -> bool:
-    """Whether it is a single piece of furniture on the floor, which leans on its own feet, as in the plane.
-
-    Several lean together, as on a floor that leans.
-    """
-    (first, *others) = scene.pieces
-    return not others and first.body.shape is None and first.at[2] == 0.0
-
-
 def drawn_scene(scene: Scene, draw: DrawOfSeveral) -> Scene:
     """Return a scene as drawn, its walls too; its products were bought for the pieces as stated."""
-    if not leans_alone(scene):
-        draw = draw._replace(pieces=tuple(replace(piece, lean=0.0) for piece in draw.pieces))
     pieces = [_drawn_piece(piece, drawn) for piece, drawn in zip(scene.pieces, draw.pieces, strict=True)]
     static, kinetic = (min(draw.between * mu, FRICTION_RANGE[1]) for mu in scene.friction)
     low, high = STRENGTH_RANGE
@@ -211,7 +203,7 @@ def run_several(
 
     def run(option: int, motion: int, sample: int) -> None:
         draw, place = drawn[motion][sample], (option, motion, sample)
-        shaking = turned(floors.motions[motion], float(floors.scales[motion]), draw.direction)
+        shaking = drawn_shaking(floors.motions[motion], float(floors.scales[motion]), draw, gravity)
         traced = trace_draw(scenes[option], draw, shaking, gravity)
         trace = traced.trace
         results[place] = results_of(traced, shaking.times)
@@ -227,34 +219,19 @@ def run_several(
     ]
 
 
-def turned(motion: Motion, scale: float, direction: float) -> SpaceShaking:
-    """Return the motion of a floor times a scale, its x turned in plan from x towards y [rad]."""
+def drawn_shaking(motion: Motion, scale: float, draw: DrawOfSeveral, gravity: float) -> SpaceShaking:
+    """Return the motion of a floor times a scale, its x turned in plan as drawn.
+
+    A floor that leans by a small angle is also shaken by −g sin(lean) along x, whatever stands on it: what a
+    piece does depends neither on the order of the pieces nor on those that cannot reach it.
+    """
     acceleration = scale * SpaceShaking.of(motion).acceleration
-    if direction:
-        cos, sin = math.cos(direction), math.sin(direction)
+    acceleration[:, 0] -= gravity * math.sin(draw.lean)
+    if draw.direction:
+        cos, sin = math.cos(draw.direction), math.sin(draw.direction)
         x, y = acceleration[:, 0].copy(), acceleration[:, 1].copy()
         acceleration[:, 0], acceleration[:, 1] = cos * x - sin * y, sin * x + cos * y
     return SpaceShaking(acceleration, motion.dt)
-
-
-def _leaning(shaking: SpaceShaking, lean: float, towards: float, gravity: float) -> SpaceShaking:
-    """Return the motion of a floor that leans: by a small angle it is shaken by −g sin(lean) as well.
-
-    Parameters
-    ----------
-    shaking : SpaceShaking
-        Of the level floor.
-    lean : float
-        How much it leans [rad].
-    towards : float
-        The direction in plan in which it goes down, from x towards y [rad].
-    gravity : float
-        g [m/s²].
-    """
-    acceleration = shaking.acceleration.copy()
-    acceleration[:, 0] -= gravity * math.sin(lean) * math.cos(towards)
-    acceleration[:, 1] -= gravity * math.sin(lean) * math.sin(towards)
-    return SpaceShaking(acceleration, shaking.dt)
 
 
 def trace_draw(
@@ -264,9 +241,7 @@ def trace_draw(
     gravity: float,
     step: float = STEP,
 ) -> Trace:
-    """Run a scene under one draw; what several stand on leans to the front of the first piece."""
-    if not leans_alone(scene):
-        shaking = _leaning(shaking, draw.room.lean, scene.pieces[0].heading, gravity)
+    """Run a scene under one draw and its `drawn_shaking`."""
     return trace_scene(
         drawn_scene(scene, draw),
         shaking,
@@ -287,9 +262,10 @@ def replay(scene: Scene, draw: DrawOfSeveral, motion: Motion, scale: float, grav
     motion, scale
         The floor's motion, and the factor on it.
     """
-    traced = trace_draw(scene, draw, turned(motion, scale, draw.direction), gravity)
-    run = run_of_trace(traced, scene.joints, drawn_scene(scene, draw).room, motion.scaled(scale))
-    return replace(run, names=scene.names)
+    traced = trace_draw(scene, draw, drawn_shaking(motion, scale, draw, gravity), gravity)
+    shown = motion.scaled(scale).pointing(draw.direction)
+    run = run_of_trace(traced, scene.joints, drawn_scene(scene, draw).room, shown)
+    return replace(run, names=scene.names, plan=scene.plan)
 
 
 def _runs(

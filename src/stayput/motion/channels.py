@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, warn
+from stayput.errors import InputError, InputWarning, unknown, warn
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import BOREHOLE, floor_phrase, upper_floor
 from stayput.motion.processing import check_size
@@ -237,9 +237,10 @@ def _chosen(channels: Sequence[Channel], component: str) -> int:
         matches = matches or [i for i in labelled if spellings(direction(labels[i])) & spellings(wanted)]
     if len(matches) == 1:
         return matches[0]
-    code = "motion.ambiguous_channel" if matches else "motion.no_such_channel"
     listing = _numbered(channels, _horizontal(channels))
-    raise InputError(code, "component", component=component, channels=listing)
+    if matches:
+        raise InputError("motion.ambiguous_channel", "component", component=component, channels=listing)
+    raise unknown("motion.the_component", component, filter(None, labels), "component", listed=listing)
 
 
 def _horizontal(channels: Sequence[Channel]) -> dict[int, str]:

@@ -32,7 +32,7 @@ from stayput.model.parameters import arguments, check_fields, parameter, quantit
 from stayput.motion.floors import of_the_ground
 from stayput.motion.intensity import factor_to_intensity, pgv_of_mercalli
 from stayput.motion.processing import LARGEST_ACCELERATION
-from stayput.motion.spectrum import DAMPING, response_spectrum
+from stayput.motion.response import DAMPING
 from stayput.uncertainty import random_bits
 
 if TYPE_CHECKING:
@@ -216,7 +216,7 @@ def horizontal_sa(motion: Motion, period: float) -> float:
         A component that is still.
     """
     names = [name for name in ("x", "y") if name in motion.components]
-    values = [float(response_spectrum(motion, period, DAMPING, name).sa[0]) for name in names]
+    values = [float(motion.spectrum(period, DAMPING, name).sa[0]) for name in names]
     for name, sa in zip(names, values, strict=True):
         if not sa > 0.0:
             raise InputError("motion.still_component", component=name, motion=excerpt(motion.name))

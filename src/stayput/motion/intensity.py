@@ -19,7 +19,7 @@ import numpy as np
 from stayput.catalogue import phrase
 from stayput.errors import InputError, finite, not_allowed
 from stayput.motion.response import PERIODS, mean_period
-from stayput.vocabulary import meant
+from stayput.vocabulary import preset_meant
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -127,9 +127,7 @@ def intensity_of_class(name: str) -> float:
         No such class.
     """
     names = [known for known, _ in CLASSES]
-    called = meant("intensity", name)
-    if called not in names:
-        raise InputError("motion.unknown_intensity", "intensity", intensity=name, known=", ".join(names))
+    called = preset_meant("intensity", "motion.name_intensity", name, names, "intensity")
     i = names.index(called)
     if called == "0":
         return 0.25

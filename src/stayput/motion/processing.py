@@ -13,7 +13,7 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, too_many, warn
+from stayput.errors import InputError, InputWarning, not_allowed, shown, too_many, warn, within
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.integrals import peak_velocity, velocity
 
@@ -70,23 +70,14 @@ def checked_samples(name: str, values: ArrayLike) -> NDArray[np.float64]:
     InputError
         Not one row of 2 or more finite, sane, real numbers without gaps.
     """
-
-    def refused(why: str, **values: object) -> InputError:
-        kind = phrase(f"motion.{why}", **values)
-        return InputError("motion.samples_not_a_row", name, component=name, kind=kind)
-
-    if np.ma.is_masked(values):
-        raise refused("masked")
     try:
         raw = np.asarray(values)
     except (TypeError, ValueError):
-        raise refused("no_array") from None
-    if raw.dtype.kind not in "iuf":
-        raise refused("of_kind", kind=raw.dtype)
-    if raw.ndim != 1:
-        raise refused("of_shape", shape=str(raw.shape))
-    if not 2 <= raw.size <= MOST_SAMPLES:
-        raise InputError("motion.samples_count", name, component=name, count=raw.size, most=MOST_SAMPLES)
+        raw = np.array(None)
+    if np.ma.is_masked(values) or raw.dtype.kind not in "iuf" or raw.ndim != 1:
+        called = phrase("motion.samples_of", component=name)
+        raise not_allowed(called, shown(values), "motion.row_of_samples", name)
+    within(phrase("motion.samples_count", component=name), raw.size, 2, MOST_SAMPLES, field=name)
     array = np.array(raw, dtype=np.float64, order="C")
     bad = np.flatnonzero(~np.isfinite(array))
     if bad.size:

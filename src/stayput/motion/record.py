@@ -130,8 +130,7 @@ class Motion:
                 object.__setattr__(self, name, checked_samples(name, values))
         for name, values in self.components.items():
             if len(values) != len(self.x):
-                about: dict[str, Any] = {"component": name, "count": len(values), "x_count": len(self.x)}
-                raise InputError("motion.components_differ", name, **about)
+                raise InputError("common.so_many_values", name, count=len(values), wanted=len(self.x))
 
     def __repr__(self) -> str:
         peaks = ", ".join(f"{name} {np.abs(a).max():.4g}" for name, a in self.components.items())
@@ -246,7 +245,7 @@ class Motion:
     def spectrum(
         self, periods: ArrayLike = PERIODS, damping: float = DAMPING, component: str = "x"
     ) -> ResponseSpectrum:
-        """Return the response spectrum of a component; see `stayput.response_spectrum`."""
+        """Return the response spectrum of a component, by periods [s]; see `ResponseSpectrum`."""
         return spectrum_of_samples(self.component(component).x, self.dt, periods, damping)
 
     def plot(
@@ -369,6 +368,13 @@ class Motion:
         source = self._note(f"turned by {math.degrees(turn):g}°")
         x, y = c * self.x + s * self.y, c * self.y - s * self.x
         return replace(self, x=x, y=y, source=source, listing=self.listing and self.listing.of(z="z"))
+
+    def pointing(self, direction: float) -> Motion:
+        """Return the motion of a floor whose x points elsewhere in plan [rad], from x towards y."""
+        if direction == 0.0:
+            return self
+        both = self if self.y is not None else replace(self, y=np.zeros_like(self.x))
+        return both.rotated(-direction)
 
     def trimmed(self, start: float = 0.0, end: float | None = None) -> Motion:
         """Return the samples with start ≤ t ≤ end [s]; the floor is at rest at the first of them."""

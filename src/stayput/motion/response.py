@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from stayput.errors import InputError, numbers, within
+from stayput.catalogue import phrase
+from stayput.errors import not_allowed, numbers, within
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
@@ -34,6 +35,10 @@ SpectralResponse = Literal["sa", "sv", "sd", "psa", "psv", "sva"]
 class ResponseSpectrum:
     """Largest responses of damped oscillators on the floor, over the length of the motion.
 
+    The oscillators start at rest. The motion is linear between its samples and the responses are exact for it
+    (Nigam and Jennings 1969), with their peaks between samples; nothing is sought after the motion's end (see
+    `Motion.padded`).
+
     Parameters
     ----------
     periods : ndarray, shape (m,)
@@ -52,7 +57,7 @@ class ResponseSpectrum:
     Examples
     --------
     >>> import stayput as sp
-    >>> spectrum = sp.response_spectrum(sp.near_fault(), periods=[0.1, 0.5, 1.0])
+    >>> spectrum = sp.near_fault().spectrum(periods=[0.1, 0.5, 1.0])
     >>> spectrum.sa.round(1).tolist()
     [10.1, 17.1, 12.3]
     """
@@ -127,7 +132,8 @@ def checked_periods(periods: ArrayLike) -> NDArray[np.float64]:
     for period in row.flat:
         within("motion.name_period", period, *PERIOD_RANGE, "s", "periods")
     if row.ndim != 1 or row.size == 0 or not np.all(np.diff(row) > 0.0):
-        raise InputError("motion.periods_shape", "periods", shape=str(row.shape))
+        name = phrase("common.shape_of", name="periods")
+        raise not_allowed(name, str(row.shape), "motion.rising_row", "periods")
     return row
 
 

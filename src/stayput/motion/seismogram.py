@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, warn
+from stayput.errors import InputError, InputWarning, absent, not_allowed, unknown, warn
 from stayput.files import LARGEST_RECORD
 from stayput.motion.channels import Channel, labels_phrase
 from stayput.motion.units import acceleration_unit, time_step, unit_factor
@@ -66,8 +66,8 @@ def channels_of_traces(
         if np.ma.is_masked(trace.data) or any(channel.label == code for channel in channels):
             raise InputError("motion.trace_gaps", channel=code)
         if (kind := np.asarray(trace.data).dtype).kind not in "biuf":  # miniSEED may hold a text
-            held = phrase("motion.of_kind", kind=kind.name)
-            raise InputError("motion.samples_not_a_row", component=code, kind=held)
+            called = phrase("motion.samples_of", component=code)
+            raise not_allowed(called, kind.name, "motion.row_of_samples")
         if values := other_instrument(trace):
             warn(InputWarning("motion.other_instrument", **values))
         late = float(stats.starttime - start)
@@ -105,12 +105,11 @@ def _of_one_sensor(items: list[Any], location: str | None) -> list[Any]:
         raise InputError("motion.several_stations", one=stations[0], other=stations[1])
     codes = sorted({_location(trace.stats) for trace in items})
     wanted = codes[0] if location is None else location.strip() or _NO_LOCATION
-    listed = labels_phrase(codes)
     if location is None and len(codes) > 1:
-        about: dict[str, Any] = {"count": len(codes), "known": listed, "option": "location"}
+        about: dict[str, Any] = {"count": len(codes), "known": labels_phrase(codes), "option": "location"}
         raise InputError("motion.several_locations", "location", **about)
     if wanted not in codes:
-        raise InputError("motion.no_such_location", "location", location=location, known=listed)
+        raise unknown("motion.location", location, codes, "location")
     return [trace for trace in items if _location(trace.stats) == wanted]
 
 
@@ -173,7 +172,7 @@ def read(
     try:
         from obspy import read as obspy_read
     except ImportError:
-        raise InputError("motion.no_obspy", format=FORMATS[form]) from None
+        raise absent(FORMATS[form], "ObsPy", "formats") from None
     try:
         traces: Any = obspy_read(BytesIO(Path(path).read_bytes()), format=form)
         lengths = [int(getattr(getattr(t.stats, "mseed", None), "record_length", 1)) for t in traces]

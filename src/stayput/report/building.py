@@ -10,7 +10,7 @@ from matplotlib.ticker import MaxNLocator
 from stayput.building.response import FloorDrawing
 from stayput.catalogue import phrase, say
 from stayput.errors import word_of
-from stayput.motion.spectrum import DAMPING, PERIODS, response_spectrum
+from stayput.motion.response import DAMPING, PERIODS
 from stayput.report.figures import label_axes, legend_within, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.names import given_name, motion_label
@@ -148,11 +148,11 @@ def draw_modes(axis: Axes, model: ShearModel, modes: int, language: str) -> None
 
 
 def _draw_spectra(axis: Axes, response: FloorResponse, storeys: Sequence[int], language: str) -> None:
-    ground = response_spectrum(response.motion)
+    ground = response.motion.spectrum()
     axis.plot(ground.periods, ground.sa, color=INK, linewidth=1.6, label=say("plots.ground", language))
     for i, storey in enumerate(storeys):
         colour, line = LINES[i % len(LINES)]
-        spectrum = response_spectrum(response.floor(storey))
+        spectrum = response.floor(storey).spectrum()
         label = drawable(given_name(response.model.place(storey), language))
         axis.plot(spectrum.periods, spectrum.sa, color=colour, linestyle=line, linewidth=1.6, label=label)
     for i, period in enumerate(response.model.periods[:3]):

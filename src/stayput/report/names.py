@@ -12,7 +12,7 @@ from stayput.wording import called
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.simulation.run import Run
 
 _NAMES = {

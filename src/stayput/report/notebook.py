@@ -28,10 +28,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from stayput.building import Building
-    from stayput.fragility import FragilityCurve
+    from stayput.building.building import Building
+    from stayput.fragility.curve import FragilityCurve
     from stayput.model.body import Body
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.motion.response import ResponseSpectrum
     from stayput.motion.suites.suite import Suite
     from stayput.simulation.run import Run

@@ -55,7 +55,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.simulation.run import Run
 
 _AFTER = 1.2  # the time axis goes on after overturning by this factor

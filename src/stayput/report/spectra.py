@@ -11,8 +11,7 @@ from matplotlib.ticker import LogLocator
 from stayput.catalogue import phrase, say
 from stayput.errors import word_of
 from stayput.motion.intensity import LONG_PERIOD_BOUNDS, LONG_PERIODS
-from stayput.motion.response import SpectralResponse, fourier_amplitude, konno_ohmachi
-from stayput.motion.spectrum import DAMPING, PERIODS, response_spectrum
+from stayput.motion.response import DAMPING, PERIODS, SpectralResponse, fourier_amplitude, konno_ohmachi
 from stayput.motion.suites.suite import SuiteSpectra
 from stayput.report.figures import (
     FONT,
@@ -37,7 +36,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.motion.response import ResponseSpectrum
     from stayput.motion.suites.suite import Suite
     from stayput.motion.suites.target import TargetSpectrum
@@ -260,7 +259,7 @@ def plot_spectra(
     acceleration, velocity, absolute, fourier = axes.ravel()
     shown = np.geomspace(0.1, 0.5 / motion.dt, 200)
     for name, a in motion.components.items():
-        response = response_spectrum(motion, PERIODS, damping, name)
+        response = motion.spectrum(PERIODS, damping, name)
         drawn: dict[str, Any] = {"color": COMPONENT_COLOURS[name], "linestyle": LINES[name]}
         label = say(f"plots.component_{name}", language)
         draw_spectrum(acceleration, response, "sa", language, label=label, **drawn)

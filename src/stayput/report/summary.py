@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from stayput.catalogue import Phrase
     from stayput.measures import DeviceResult
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.simulation.outcome import Hit
     from stayput.simulation.run import PieceRun, Run
 

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from stayput.fragility import Difference, Probability, difference, probability
+from stayput.fragility.paired import Difference, difference
+from stayput.fragility.probabilities import Probability, probability
 from stayput.model.floor_plan import FACING, FloorPlan, PersonPlace
 from stayput.montecarlo.counting import Outcomes
 from stayput.rooms.changes import (

@@ -50,7 +50,7 @@ from stayput.verification.options import inputs_in_room
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-    from stayput.fragility import Probability
+    from stayput.fragility.probabilities import Probability
     from stayput.model.floor_plan import FloorPlan, PersonPlace
     from stayput.rooms.effects import Move, RoomState
     from stayput.rooms.runs import Question

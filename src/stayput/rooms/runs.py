@@ -25,7 +25,7 @@ from stayput.model.room import SIDE_WALLS
 from stayput.model.state import State
 from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.sampling import drawn_held
-from stayput.montecarlo.several import DrawOfSeveral, trace_draw, turned
+from stayput.montecarlo.several import DrawOfSeveral, drawn_shaking, trace_draw
 from stayput.rooms.tracks import Track, at_rest, track_in_plane, tracks_of
 from stayput.simulation.placing import placed_piece, planes_around, room_seen
 from stayput.simulation.space import results_of
@@ -245,7 +245,7 @@ class Question(NamedTuple):
         def run(number: int, motion: int, sample: int) -> None:
             part, runs, draw = parts[number], under_way[number], self.drawn[motion][sample]
             scale = float(self.floors.scales[motion])
-            shaking = turned(self.floors.motions[motion], scale, draw.direction)
+            shaking = drawn_shaking(self.floors.motions[motion], scale, draw, self.scenario.gravity)
             act = _run_in_plane if part.in_plane else _run_in_space
             ran = act(part, draw.of(part.bodies), shaking, self.scenario.gravity)
             results, devices, runs.peaks[motion * samples + sample], tracks = ran

@@ -19,7 +19,7 @@ from stayput.wording import inside, joined
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from stayput.fragility import Probability
+    from stayput.fragility.probabilities import Probability
     from stayput.rooms.steps import Purchase
 
 KILOGRAM = 9.80665

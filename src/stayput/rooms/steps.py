@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.catalogue import Phrase
-    from stayput.fragility import Probability
+    from stayput.fragility.probabilities import Probability
     from stayput.measures.measure import Grade
     from stayput.model.floor_plan import PersonPlace
     from stayput.rooms.changes import Change

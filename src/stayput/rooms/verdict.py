@@ -14,7 +14,8 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from stayput.fragility import Difference, Probability
+    from stayput.fragility.paired import Difference
+    from stayput.fragility.probabilities import Probability
     from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
     from stayput.montecarlo.counting import Quantiles
     from stayput.rooms.changes import Change

@@ -10,7 +10,7 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, within
-from stayput.fragility import probability
+from stayput.fragility.probabilities import probability
 from stayput.montecarlo.counting import SLIDE_LIMIT, Quantiles
 from stayput.montecarlo.hazard import FloorMotions, Hazard
 from stayput.montecarlo.sampling import Settings

@@ -17,7 +17,7 @@ from stayput.wording import called, default_name, inside
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
-    from stayput.fragility import Probability
+    from stayput.fragility.probabilities import Probability
     from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
 
 TOLD = 0.005

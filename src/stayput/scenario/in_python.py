@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from stayput.building import Building, ShearModel
+from stayput.building.building import Building
+from stayput.building.model import ShearModel
 from stayput.errors import InputError, instance_of, list_of, not_allowed, shown
 from stayput.measures import MEASURES, Measure
 from stayput.measures.measure import refuse_conflicts
 from stayput.model.body import Body
 from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
-from stayput.motion import Motion
+from stayput.motion.record import Motion
 from stayput.motion.suites.suite import Suite
 from stayput.scenario.measures import table_of
 from stayput.scenario.option import NOTHING, Option
@@ -134,12 +135,7 @@ def named_sets(measures: MeasureSets) -> list[Option]:
 
 
 def _together(measures: Measure | Sequence[Measure]) -> tuple[Measure, ...]:
-    if isinstance(measures, str):
-        raise InputError("scenario.measure_by_name", "measures", value=repr(measures))
-    if isinstance(measures, tuple | list):
-        together = list_of("measures", measures, Measure)
-    else:
-        together = (instance_of("measures", measures, Measure),)
+    together = list_of("measures", measures if isinstance(measures, tuple | list) else (measures,), Measure)
     refuse_conflicts(together)
     return together
 

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, cast
 
 from pydantic import (
     BaseModel,
-    BeforeValidator,
     Discriminator,
     Field,
     PrivateAttr,
@@ -16,8 +15,7 @@ from pydantic import (
     model_validator,
 )
 
-from stayput.catalogue import phrase
-from stayput.errors import InputError, unknown
+from stayput.errors import unknown
 from stayput.measures import MEASURES, Measure, parameters
 from stayput.measures.measure import refuse_conflicts
 from stayput.scenario.fields import (
@@ -32,7 +30,6 @@ from stayput.scenario.fields import (
     one_of,
     typed_field,
 )
-from stayput.scenario.messages import shown
 from stayput.uncertainty import QUANTITIES, USUAL, Uncertainty
 
 COMBINE = "combine"
@@ -90,10 +87,16 @@ def table_of(measure: Measure) -> dict[str, Any]:
     return {"type": measure.kind, **changed}
 
 
-def _tag(value: object) -> str:
-    """Return the tag of a measure's table; `of_known_type` has refused what has none."""
-    table = value.__dict__ if isinstance(value, BaseModel) else cast("dict[str, object]", value)
-    return f"<{COMBINE}>" if COMBINE in table else f"<{table['type']}>"
+def _type_of(value: object) -> str | None:
+    """Return the tag of a measure's table; None of what is no table."""
+    table = value.__dict__ if isinstance(value, BaseModel) else value
+    return f"<{cast('dict[str, Any]', table).get('type')}>" if isinstance(table, dict) else None
+
+
+def _type_or_combined(value: object) -> str | None:
+    """Return the tag of the table of a measure, or of several together."""
+    keys: Any = value.__dict__ if isinstance(value, BaseModel) else value
+    return f"<{COMBINE}>" if isinstance(keys, dict) and COMBINE in keys else _type_of(value)
 
 
 _TAGGED: list[Any] = [Annotated[table, Tag(f"<{kind}>")] for kind, table in TABLES.items()]
@@ -101,7 +104,7 @@ _TAGGED: list[Any] = [Annotated[table, Tag(f"<{kind}>")] for kind, table in TABL
 if TYPE_CHECKING:
     SingleChoice = MeasureTable
 else:
-    SingleChoice = Annotated[reduce(lambda a, b: a | b, _TAGGED), Discriminator(_tag)]
+    SingleChoice = Annotated[reduce(lambda a, b: a | b, _TAGGED), Discriminator(_type_of)]
 
 
 class CombinedTable(Table):
@@ -131,55 +134,10 @@ if TYPE_CHECKING:
     MeasureChoice = MeasureTable | CombinedTable
 else:
     _COMBINED = Annotated[CombinedTable, Tag(f"<{COMBINE}>")]
-    MeasureChoice = Annotated[reduce(lambda a, b: a | b, _TAGGED, _COMBINED), Discriminator(_tag)]
+    MeasureChoice = Annotated[
+        reduce(lambda a, b: a | b, _TAGGED, _COMBINED), Discriminator(_type_or_combined)
+    ]
 """A measure, or several together."""
-
-
-def of_known_type(place: str = "measures", *, nested: bool = False) -> BeforeValidator:
-    """Return what refuses measures without a known type before the tables check the rest.
-
-    Parameters
-    ----------
-    place : str
-        The key of the list, or of a table of lists.
-    nested : bool
-        Whether none of them may combine several.
-    """
-
-    def check(value: object) -> object:
-        lists = cast("dict[str, object]", value) if isinstance(value, dict) else {"": value}
-        for name, items in lists.items():
-            _refuse_wrong_type(items, f"{place}.{name}" if name else place, nested=nested)
-        return value
-
-    return BeforeValidator(check)
-
-
-def _refuse_wrong_type(value: object, place: str, *, nested: bool) -> None:
-    """Refuse a measure of no type, or of one that there is not; the tables check the rest.
-
-    Raises
-    ------
-    InputError
-        What is wrong.
-    """
-    for number, item in enumerate(cast("list[object]", value) if isinstance(value, list) else ()):
-        name = f"{place}[{number}]"
-        if isinstance(item, BaseModel):
-            continue
-        if not isinstance(item, dict):
-            allowed = phrase("scenario.table_with_type" if nested else "scenario.one_of_tables")
-            raise InputError("common.not_allowed", name, value=shown(item), hint="", allowed=allowed)
-        table, of_type = cast("dict[str, object]", item), f"{name}.type"
-        if COMBINE in table and not nested:
-            if "type" in table:
-                raise InputError("scenario.only_one", of_type, other=f"{name}.{COMBINE}")
-            _refuse_wrong_type(table[COMBINE], f"{name}.{COMBINE}", nested=True)
-        elif table.get("type") is None:
-            known = phrase("scenario.one_of", names=", ".join(MEASURES))
-            raise InputError("scenario.missing", of_type, allowed=known)
-        elif table["type"] not in list(MEASURES):  # what cannot be hashed neither
-            raise unknown(of_type, table["type"], MEASURES, of_type)
 
 
 WELL, USUALLY = "well", "as people install it"

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 import re
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from stayput.catalogue import LANGUAGES, phrase, say
-from stayput.errors import InputError, near_miss
+from stayput.errors import InputError, near_miss, unknown
 from stayput.vocabulary import also_called, listed
 
 if TYPE_CHECKING:
@@ -40,11 +40,28 @@ def refusal_of(errors: Sequence[ErrorDetails], schema: dict[str, Any], within: s
     raised = error.get("ctx", {}).get("error")
     if isinstance(raised, InputError):  # by a table's own check, which does not know its place in a list
         return _in_its_list(raised, name)
+    if error["type"].startswith("union_tag"):
+        return _wrong_type(name, error["input"], kinds(_node(place, schema), schema))
     allowed = _allowed(_node(place, schema), schema, error["input"])
     if error["type"] == "missing":
         return InputError("scenario.missing", name, allowed=allowed)
     hint, value = _hint(error["input"], place, schema), shown(error["input"])
     return InputError("common.not_allowed", name, value=value, hint=hint, allowed=allowed)
+
+
+def _wrong_type(name: str, value: object, tables: list[dict[str, Any]]) -> InputError:
+    """Return the refusal of what is none of several tables, which are told apart by their type."""
+    known = [table["properties"]["type"]["const"] for table in tables if "type" in table["properties"]]
+    if not isinstance(value, dict):
+        allowed = phrase(
+            "scenario.table_with_type" if len(known) == len(tables) else "scenario.one_of_tables"
+        )
+        return InputError("common.not_allowed", name, value=shown(value), hint="", allowed=allowed)
+    stated, name = cast("dict[str, object]", value).get("type"), f"{name}.type"
+    if stated is None:
+        allowed = phrase("scenario.one_of", names=", ".join(known))
+        return InputError("scenario.missing", name, allowed=allowed)
+    return unknown(name, stated, known, name)
 
 
 def _in_its_list(error: InputError, place: str) -> InputError:
@@ -129,7 +146,7 @@ def _node(place: Sequence[str | int], schema: dict[str, Any]) -> dict[str, Any]:
             if part in kind.get("properties", {}):
                 node = kind["properties"][part]
                 break
-            if "additionalProperties" in kind and isinstance(kind["additionalProperties"], dict):
+            if kind.get("additionalProperties"):
                 node = kind["additionalProperties"]
                 break
     return node

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from contextlib import contextmanager
 from functools import cache
-from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
@@ -13,10 +12,9 @@ from pydantic import Field, PrivateAttr, ValidationError
 from pydantic.json_schema import DEFAULT_REF_TEMPLATE
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of
+from stayput.errors import InputError
 from stayput.scenario.fields import Table, Text
 from stayput.scenario.messages import refusal_of
-from stayput.scenario.toml import read_toml
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Mapping
@@ -29,22 +27,6 @@ class FromFile(Table):
 
     _folder: Path = PrivateAttr(default=Path())
     _file: str = PrivateAttr(default="")
-
-    @classmethod
-    def read(cls, path: str | PathLike[str]) -> Self:
-        """Read a file, in TOML.
-
-        Raises
-        ------
-        InputError
-            The file cannot be read, is not TOML, or says something that is not allowed.
-        """
-        instance_of("path", path, (str, PathLike))
-        file = Path(path)
-        try:
-            return cls.parse(read_toml(file), file.parent, file.name)
-        except InputError as error:
-            raise error.at(file.name) from None
 
     @classmethod
     def parse(cls, data: Mapping[str, Any], folder: Path = Path(), file: str = "") -> Self:

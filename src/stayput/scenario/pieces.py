@@ -14,7 +14,7 @@ from stayput.model.body import Body
 from stayput.model.parameters import SIZE_RANGE, parameters
 from stayput.model.room import WALLS_AROUND
 from stayput.scenario.fields import Table, Text, ValueTable, between, checked, fields_of, named, one_of
-from stayput.scenario.measures import SingleChoice, of_known_type
+from stayput.scenario.measures import SingleChoice
 from stayput.scenario.tables import Heading, Kind, Loads, usual_of
 from stayput.simulation.piece import BEHIND, Piece
 from stayput.simulation.scene import STRENGTH_RANGE, Joint
@@ -85,7 +85,7 @@ class PieceTable(ValueTable):
     gap: Annotated[float, between(0.0, 100.0, "m")] = Field(
         default=BEHIND, description="Between its back and that wall."
     )
-    measures: Annotated[MeasuresInPlace | None, of_known_type("furniture.measures", nested=True)] = Field(
+    measures: MeasuresInPlace | None = Field(
         default=None,
         description="Measures that hold it, each a table with its type: those of a preset or a box.",
     )
@@ -98,7 +98,8 @@ class PieceTable(ValueTable):
             name, other = (name, other) if self.mesh is None else (other, name)
             raise InputError("scenario.needs_both", name, other=other)
         if self.measures is not None and not self.is_furniture:
-            raise InputError("scenario.measures_on_solid", "furniture.measures", name=self.title)
+            where = phrase("scenario.of_a_solid")
+            raise InputError("common.left_out", "furniture.measures", where=where)
         any_body = Body.box(1.0, 1.0, 1.0, 1.0)  # a mesh is read when its folder is known
         checked("furniture", lambda: self.standing(any_body, in_place(self.measures)))
         return self
@@ -111,7 +112,8 @@ class PieceTable(ValueTable):
             raise InputError("scenario.one_shape", "furniture", name=self.title)
         for key in () if self.preset else ("width", "height", "mass"):
             if getattr(self, key) is None and (self.is_furniture or key == "mass"):
-                raise InputError("scenario.no_preset", f"furniture.{key}", preset="preset")
+                allowed = phrase("scenario.without_preset")
+                raise InputError("scenario.missing", f"furniture.{key}", allowed=allowed)
         if not self.is_furniture:
             return
         for key in ("cg_offset", "inertia") if self.shelves else ():
@@ -210,7 +212,7 @@ class OptionTable(Table):
 
     name: Text = Field(description="What it is called.")
     joined: bool = Field(default=True, description="Whether the joints of the file are in place.")
-    measures: Annotated[dict[str, MeasuresInPlace], of_known_type("options.measures", nested=True)] = Field(
+    measures: dict[str, MeasuresInPlace] = Field(
         default={}, description="The measures on each piece, by its name: tables with their types."
     )
 

@@ -2,35 +2,35 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import partial
-from pathlib import Path  # noqa: TC003 - pydantic reads the annotations
+from os import PathLike
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Self
 
-import numpy as np
 from pydantic import Field, PrivateAttr, model_validator
 
 from stayput.catalogue import phrase, say
 from stayput.contents.contents import emptied
-from stayput.errors import InputError, no_length, not_allowed, refuse_same_names
+from stayput.errors import InputError, instance_of, no_length, not_allowed, refuse_same_names, word_of
 from stayput.measures.measure import refuse_conflicts
 from stayput.motion.suites.suite import Suite
 from stayput.scenario.fields import between, checked
-from stayput.scenario.measures import MeasureChoice, UncertaintyTable, of_known_type
+from stayput.scenario.measures import MeasureChoice, UncertaintyTable
 from stayput.scenario.option import NOTHING, Option
 from stayput.scenario.pieces import OptionTable  # noqa: TC001 - pydantic reads the annotations
 from stayput.scenario.scene import SceneTables
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import ContentsTable, EverydayTable, Heading, InitialTable
+from stayput.scenario.toml import read_toml
 from stayput.simulation.case import Case, simulate
 from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from stayput.contents import Contents
+    from stayput.contents.contents import Contents
     from stayput.measures import Measure
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.simulation.run import Run
 
 OF_A_LONE_PIECE = ("initial", "everyday", "measures", "contents")
@@ -82,9 +82,7 @@ class Scenario(SceneTables):
     everyday: EverydayTable = Field(
         default_factory=EverydayTable, description="What people do to it without an earthquake."
     )
-    measure_tables: Annotated[
-        Annotated[list[MeasureChoice], Field(min_length=1, max_length=100)] | None, of_known_type()
-    ] = Field(
+    measure_tables: Annotated[list[MeasureChoice], Field(min_length=1, max_length=100)] | None = Field(
         default=None, alias="measures", description="What may hold the furniture; each is verified by itself."
     )
     option_tables: Annotated[list[OptionTable], Field(min_length=1, max_length=100)] | None = Field(
@@ -135,12 +133,11 @@ class Scenario(SceneTables):
         taken = {NOTHING: phrase("scenario.option_of_nothing")}
         refuse_same_names("options", [option.name for option in options], taken)
         for number, option in enumerate(options):
+            key = f"options[{number}].measures"
             for piece in option.measures:
-                key = f"options[{number}].measures"
-                if piece not in names:
-                    raise InputError("scenario.no_such_piece", key, value=repr(piece))
-                if not self.pieces[names.index(piece)].is_furniture:
-                    raise InputError("scenario.measures_on_solid", f"{key}.{piece}", name=piece)
+                if not self.pieces[names.index(word_of(key, piece, names, key))].is_furniture:
+                    where = phrase("scenario.of_a_solid")
+                    raise InputError("common.left_out", f"{key}.{piece}", where=where)
             for name in names:
                 checked(f"options[{number}]", partial(refuse_conflicts, option.on(name)))
 
@@ -219,11 +216,6 @@ class Scenario(SceneTables):
         return None if table is None else table.contents(self.piece.shelves)
 
     @property
-    def without_measures(self) -> bool:
-        """Whether it was said in Python that no measures are compared, the usual ones neither."""
-        return self._own_options == ()
-
-    @property
     def options(self) -> tuple[Option, ...]:
         """What a verification compares, each under its name; empty where the file says nothing."""
         if self._own_options is not None:
@@ -246,7 +238,7 @@ class Scenario(SceneTables):
             The record cannot be read, or the suite has no such member.
         """
         with self.naming_file("shaking"):
-            return _turned(self.shaking.motion(self._folder), self._facing - (self.direction or 0.0))
+            return self.shaking.motion(self._folder).pointing((self.direction or 0.0) - self._facing)
 
     def ground(self) -> Suite:
         """Make the motions of the ground, not scaled, with all components.
@@ -260,8 +252,8 @@ class Scenario(SceneTables):
         """
         with self.naming_file("shaking"):
             ground = self.shaking.ground(self._folder)
-        turn = self._facing - (self.direction or 0.0) if self.alone else 0.0
-        return Suite(tuple(_turned(motion, turn) for motion in ground), ground.name)
+        direction = (self.direction or 0.0) - self._facing if self.alone else 0.0
+        return Suite(tuple(motion.pointing(direction) for motion in ground), ground.name)
 
     @property
     def _facing(self) -> float:
@@ -315,14 +307,6 @@ class Scenario(SceneTables):
             return simulate(scene, motion, gravity=self.gravity)
 
 
-def _turned(motion: Motion, turn: float) -> Motion:
-    """Return a motion along axes that are turned in plan, from x towards y [rad]."""
-    if turn == 0.0:
-        return motion
-    both = motion if motion.y is not None else replace(motion, y=np.zeros_like(motion.x))
-    return both.rotated(turn)
-
-
 def _refuse_same_names(options: Sequence[Option]) -> None:
     taken = {NOTHING: phrase("scenario.option_of_nothing")}
     refuse_same_names("measures", [option.name for option in options], taken)
@@ -353,4 +337,9 @@ def read_scenario(path: str | Path) -> Scenario:
     l_bracket: rocked
     stopper and poles: rocked
     """
-    return Scenario.read(path)
+    instance_of("path", path, (str, PathLike))
+    file = Path(path)
+    try:
+        return Scenario.parse(read_toml(file), file.parent, file.name)
+    except InputError as error:
+        raise error.at(file.name) from None

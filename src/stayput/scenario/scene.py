@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Self
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
-from stayput.errors import InputError, kinetic_above_static, no_length, refuse_same_names
+from stayput.errors import InputError, no_length, refuse_same_names, within, word_of
 from stayput.model.floor_plan import MOST_PLACES, Door, FloorPlan, Window
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import WALLS_AROUND, Room
@@ -96,14 +96,12 @@ class SceneTables(FromFile):
         for number, piece in enumerate(self.pieces):
             if piece.is_furniture and piece.body().length is None and not self.alone:
                 raise no_length(f"{self.key_of(number)}.length")
-        if self.kinetic_friction > self.static_friction:
-            name, limits = "kinetic_friction", (self.kinetic_friction, self.static_friction)
-            raise kinetic_above_static(name, *limits, name)
+        name = "kinetic_friction"
+        within(name, self.kinetic_friction, 0.0, self.static_friction, field=name)
         for number, joint in enumerate(self.joints):
             for key in ("first", "second"):
-                if getattr(joint, key) not in names:
-                    value = repr(getattr(joint, key))
-                    raise InputError("scenario.no_such_piece", f"joints[{number}].{key}", value=value)
+                name = f"joints[{number}].{key}"
+                word_of(name, getattr(joint, key), names, name)
         self._joints()
         return self
 

@@ -10,7 +10,6 @@ from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
 from stayput.building.model import MOST_STOREYS
 from stayput.catalogue import phrase
 from stayput.errors import InputError, not_allowed, within
-from stayput.motion import Motion, near_fault, sine
 from stayput.motion.floors import of_the_ground
 from stayput.motion.ground_shaking import (
     EarthquakeSource,
@@ -25,9 +24,11 @@ from stayput.motion.ground_shaking import (
 from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.readers import read_shaking, read_vertical
 from stayput.motion.readers.columns import MOST_SKIPPED, OPTIONS, chosen_columns
+from stayput.motion.record import Motion
 from stayput.motion.suites.families import FAMILIES
 from stayput.motion.suites.suite import Suite, read_suite
 from stayput.motion.suites.synthesis import MIXED, synthetic_suite
+from stayput.motion.synthetic import near_fault, sine
 from stayput.scenario.fields import (
     NAME,
     NUMBER,
@@ -378,5 +379,6 @@ def _refuse_vertical(motion: Motion, key: str, file: str) -> None:
     """Refuse a vertical record beside others: each of them says which component it is of."""
     listing = motion.listing
     if listing is not None and listing.vertical[listing.used]:
-        name, label = f"shaking.{key}", listing.names[listing.used]
-        raise InputError("scenario.vertical_across", name, file=repr(file), label=label)
+        hint = phrase("common.aside", content=repr(listing.names[listing.used]))
+        name, allowed = f"shaking.{key}", phrase("scenario.horizontal")
+        raise InputError("common.not_allowed", name, value=repr(file), hint=hint, allowed=allowed)

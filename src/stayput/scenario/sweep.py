@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from functools import partial
 from itertools import product
-from typing import TYPE_CHECKING, Any, Unpack, cast
+from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
 
@@ -17,6 +16,7 @@ from stayput.measures.element import utilisation
 from stayput.mechanics.devices.columns import HOLDS
 from stayput.progress import bar
 from stayput.scenario.scenario import Scenario
+from stayput.scenario.toml import with_value
 from stayput.simulation.case import Case
 from stayput.simulation.grid import make_grid
 from stayput.simulation.many import run_grid
@@ -29,9 +29,6 @@ if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
 
-
-_PART = re.compile(r"([^\[\]]+)(?:\[([0-9]+)\])?")
-"""A part of a path: a key, and which item of its list; without that, all items."""
 
 ABOUT = {column.name: column for column in QUANTITIES}
 OF_A_PIECE = (
@@ -142,34 +139,8 @@ def _changed(scenario: Scenario, values: dict[str, Any]) -> Scenario:
     """Return a scenario with other values at paths, and the same Python objects."""
     kept = scenario.kept()
     for path, value in values.items():
-        kept["data"] = _with(kept["data"], path.split("."), value, path)
+        kept["data"] = with_value(kept["data"], path, value)
     return Scenario.of_kept(kept)
-
-
-def _with(node: Any, parts: list[str], value: Any, path: str) -> Any:
-    """Return a node with another value at a path below it; the node itself stays as it is."""
-    if not parts:
-        return value
-    match = _PART.fullmatch(parts[0])
-    if match is None or not isinstance(node, dict):
-        raise InputError("scenario.no_such_path", path, path=path)
-    table, (key, place) = cast("dict[str, Any]", node), match.groups()
-    below: Any = table.get(key, {} if len(parts) > 1 else None)
-    if place is not None and not isinstance(below, list):
-        raise InputError("scenario.no_such_path", path, path=path)
-    if isinstance(below, list) and (place is not None or len(parts) > 1):
-        items = cast("list[Any]", below)
-        if place is not None and int(place) >= len(items):
-            raise InputError("scenario.no_such_path", path, path=path)
-        chosen = range(len(items)) if place is None else (int(place),)
-        return {
-            **table,
-            key: [
-                _with(item, parts[1:], value, path) if number in chosen else item
-                for number, item in enumerate(items)
-            ],
-        }
-    return {**table, key: _with(below, parts[1:], value, path)}
 
 
 def _results(scenario: Scenario) -> dict[str, NDArray[Any]]:

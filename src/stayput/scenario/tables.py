@@ -8,8 +8,8 @@ from typing import Annotated, Any, Self
 
 from pydantic import Discriminator, Field, ModelWrapValidatorHandler, PrivateAttr, Tag, model_validator
 
-from stayput.building import STRUCTURES, Building, ShearModel
-from stayput.building.model import MOST_STOREYS
+from stayput.building.building import STRUCTURES, Building
+from stayput.building.model import MOST_STOREYS, ShearModel
 from stayput.catalogue import phrase
 from stayput.contents.contents import CONTENTS, DOORS, DRAWERS, Contents
 from stayput.errors import InputError

@@ -1,5 +1,7 @@
 """TOML of a scenario file to a table, with bounds on what a parser would otherwise take memory and depth for.
 
+`with_value` changes a table by its keys as refusals write them.
+
 A dotted key of n parts takes memory that grows with n², nested brackets take the parser's own stack, and a
 whole number of any length is a whole number: a scenario needs none of the three.
 """
@@ -35,6 +37,9 @@ _LITERAL = re.compile(  # strings and comments, up to their end where they are c
 )
 _BRACKET = re.compile(r"[\[\]{}]")
 _BETWEEN_KEYS = re.compile(r"[=,{}\[\]\n]")
+
+_KEY = re.compile(r"[^.\[\]=\s]+(?:\[\d{1,4}\])*(?:\.[^.\[\]=\s]+(?:\[\d{1,4}\])*)*", re.ASCII)
+_STEP = re.compile(r"\[(\d+)\]|([^.\[\]]+)", re.ASCII)
 
 
 def read_toml(file: Path) -> dict[str, object]:
@@ -136,3 +141,49 @@ def _whole_numbers(value: object) -> Iterator[int]:
     elif isinstance(value, list):
         for item in cast("list[Any]", value):
             yield from _whole_numbers(item)
+
+
+def steps_of(key: str) -> tuple[str | int, ...]:
+    """Return the names and places of a key such as ``furniture[1].mass``; none of another text."""
+    steps = _STEP.findall(key) if _KEY.fullmatch(key) else []
+    return tuple(int(place) if place else name for place, name in steps)
+
+
+def with_value(tables: dict[str, Any], key: str, value: object) -> dict[str, Any]:
+    """Return tables with another value at a key; they themselves stay as they are.
+
+    Parameters
+    ----------
+    tables : dict
+        Keys and values of a file.
+    key : str
+        A dotted key. Below a list it is that of all its items, or of the one whose place is in brackets; the
+        place behind the last adds one.
+    value : object
+        The value.
+
+    Raises
+    ------
+    InputError
+        No such key: a place of what is no list, or beyond its end.
+    """
+
+    def placed(node: Any, steps: tuple[str | int, ...]) -> Any:
+        if not steps:
+            return value
+        step, below = steps[0], steps[1:]
+        if isinstance(step, int):
+            items = cast("list[Any]", node or [])
+            if not isinstance(node, list | None) or step > len(items):
+                raise InputError("scenario.no_such_path", key, path=key)
+            item = items[step] if step < len(items) else None
+            return [*items[:step], placed(item, below), *items[step + 1 :]]
+        if isinstance(node, list):
+            return [placed(item, steps) for item in cast("list[Any]", node)]
+        table = cast("dict[str, Any]", node if isinstance(node, dict) else {})
+        return {**table, step: placed(table.get(step), below)}
+
+    steps = steps_of(key)
+    if not steps:
+        raise InputError("scenario.no_such_path", key, path=key)
+    return placed(tables, steps)

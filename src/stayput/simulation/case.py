@@ -100,10 +100,16 @@ class Case(Brief):
         across = self.body.length is not None and self.motion.y is not None
         return self.body.shape is not None or (across and self.contact == "coulomb")
 
-    def run(self) -> Run:
-        """Simulate the case."""
+    def run(self, most_events: int | None = None) -> Run:
+        """Simulate the case.
+
+        Parameters
+        ----------
+        most_events : int, optional
+            Most events that are listed; see `simulate`.
+        """
         arguments = {field.name: getattr(self, field.name) for field in fields(self)}
-        return simulate(**arguments)
+        return simulate(**arguments, most_events=most_events)
 
 
 @overload

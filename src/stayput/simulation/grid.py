@@ -25,7 +25,7 @@ from stayput.model.flat_fields import (
 )
 from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.model.state import refuse_bad_start
-from stayput.motion import Motion
+from stayput.motion.record import Motion
 from stayput.simulation.case import Case, law_number
 
 if TYPE_CHECKING:
@@ -375,10 +375,6 @@ def _refuse_missing_surfaces(base: dict[str, float], changed: set[str]) -> None:
         distance = distance_to(name)
         touched = [path for path in changed if path.startswith(f"room.{name}.")]
         if touched and distance not in changed and np.isinf(base[distance]):
-            raise InputError(
-                "simulation.surface_missing",
-                min(touched),
-                path=min(touched),
-                surface=phrase(f"simulation.{name}"),
-                distance=distance,
-            )
+            path, surface = min(touched), phrase(f"simulation.{name}")
+            values: dict[str, Any] = {"path": path, "surface": surface, "distance": distance}
+            raise InputError("simulation.surface_missing", path, **values)

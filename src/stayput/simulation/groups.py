@@ -72,7 +72,7 @@ def run_in_groups(
         meeting = [
             (group[0], other[0])
             for group, other in combinations(groups, 2)
-            if _meet(group, traces[group], other, traces[other], reach, dt)
+            if _meet(group, other, traces, reach, dt)
         ]
         if not meeting:
             break
@@ -99,18 +99,14 @@ def _of_group(springs: NDArray[np.void], group: Group) -> NDArray[np.void]:
 
 
 def _meet(
-    group: Group,
-    trace: SpaceTrace,
-    other: Group,
-    other_trace: SpaceTrace,
-    reach: NDArray[np.float64],
-    dt: float,
+    group: Group, other: Group, traces: dict[Group, SpaceTrace], reach: NDArray[np.float64], dt: float
 ) -> bool:
     """Return whether the spheres of two groups meet at a sample, or may have on the way to the next."""
+    here, there = traces[group], traces[other]
     for i, body in enumerate(group):
         for j, further in enumerate(other):
-            apart = np.linalg.norm(trace.place[i] - other_trace.place[j], axis=1)
-            speed = np.linalg.norm(trace.velocity[i] - other_trace.velocity[j], axis=1)
+            apart = np.linalg.norm(here.place[i] - there.place[j], axis=1)
+            speed = np.linalg.norm(here.velocity[i] - there.velocity[j], axis=1)
             if (apart <= reach[body] + reach[further] + dt * speed).any():
                 return True
     return False

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.simulation.case import Case
     from stayput.simulation.grid import CaseBlock, Grid
     from stayput.simulation.space_engine import SpaceShaking
@@ -36,7 +36,7 @@ CHUNK = 64
 def run_rows(
     cases: NDArray[np.void], elements: NDArray[np.void], motion: Shaking | SpaceShaking
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
-    """Run cases under one motion on this thread; those without devices by the faster solver for free bodies.
+    """Run cases under one motion on this thread; those without devices run as free bodies do.
 
     Where the motion is prepared for the engine in space that one runs them.
 
@@ -55,16 +55,11 @@ def run_rows(
         from stayput.simulation.space import run_rows_in_space  # SciPy takes its time to load
 
         return run_rows_in_space(cases, elements, motion)
-    results, devices = np.zeros(len(cases), RESULT), np.zeros(elements.shape, DEVICE)
+    if (elements["kind"] != NONE).any():
+        return run_cases_with_devices(cases, elements, motion)
+    devices = np.zeros(elements.shape, DEVICE)
     devices["failure_time"] = np.nan
-    has_devices = (elements["kind"] != NONE).any(axis=1)
-    if not has_devices.all():
-        free = np.flatnonzero(~has_devices)
-        results[free] = run_cases(cases[free], motion)
-    if has_devices.any():
-        held = np.flatnonzero(has_devices)
-        results[held], devices[held] = run_cases_with_devices(cases[held], elements[held], motion)
-    return results, devices
+    return run_cases(cases, motion), devices
 
 
 def prepared_motion(motion: Motion, dimensions: int, law: int = 0) -> Shaking | SpaceShaking:
@@ -120,7 +115,7 @@ def run_columns(
     -------
     tuple
         RESULT, shape [m], and DEVICE, shape [m, n] (`stayput.mechanics`); the bits do not depend on the
-        threads. Forces are per unit mass; `stayput.measures.element.failures_of` sums the devices up.
+        threads. Forces are per unit mass; `stayput.simulation.outcome.case_results` sums the devices up.
 
     Raises
     ------

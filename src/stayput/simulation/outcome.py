@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.measures.element import failures_of
+from stayput.measures.element import failed, utilisation
 from stayput.mechanics import columns as col
-from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
+from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT, record
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -235,14 +235,11 @@ QUANTITIES = (
 )
 """The columns of results."""
 
-CASE_RESULT = np.dtype(
-    [
-        *((name, RESULT[name]) for name in RESULT.names or ()),
-        ("device_failures", "i4"),
-        ("device_failure_time", "f8"),  # of the first [s], NaN where none fails
-        ("device_utilisation", "f8"),
-    ],
-    align=True,
+CASE_RESULT = record(
+    *((name, RESULT[name]) for name in RESULT.names or ()),
+    ("device_failures", "i4"),
+    ("device_failure_time", "f8"),  # of the first [s], NaN where none fails
+    ("device_utilisation", "f8"),
 )
 """Result of one case: the fields of `mechanics.columns.RESULT`, and a summary of its devices."""
 
@@ -251,12 +248,13 @@ def case_results(
     elements: NDArray[np.void], results: NDArray[np.void], devices: NDArray[np.void]
 ) -> NDArray[np.void]:
     """Return rows of `CASE_RESULT`, shape [m], from ELEMENT [m, n], RESULT [m] and DEVICE [m, n]."""
-    rows, failures = np.zeros(len(results), CASE_RESULT), failures_of(elements, devices)
+    rows, gone = np.zeros(len(results), CASE_RESULT), failed(elements, devices)
+    first = np.where(gone, devices["failure_time"], np.inf).min(axis=-1, initial=np.inf)
     for name in RESULT.names or ():
         rows[name] = results[name]
-    rows["device_failures"] = failures.count
-    rows["device_failure_time"] = failures.first
-    rows["device_utilisation"] = failures.utilisation
+    rows["device_failures"] = gone.sum(axis=-1)
+    rows["device_failure_time"] = np.where(np.isfinite(first), first, np.nan)
+    rows["device_utilisation"] = utilisation(elements, devices).max(axis=-1, initial=0.0)
     return rows
 
 

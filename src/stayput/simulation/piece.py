@@ -155,7 +155,7 @@ class Piece:
         for name in ("along", "gap") if self.along is not None else ("gap",):
             within(name, getattr(self, name), 0.0, 100.0, "m", name)
         if self.on is not None and self.at[2] != 0.0:
-            raise InputError("scenario.on_and_height", "at", value=self.at[2])
+            raise InputError("scenario.only_one", "at[2]", other="on")
         if self.against is None:
             for name, default in (("along", None), ("gap", BEHIND)):
                 if getattr(self, name) != default:

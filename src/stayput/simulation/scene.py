@@ -12,8 +12,8 @@ from stayput.catalogue import phrase
 from stayput.errors import (
     InputError,
     instance_of,
-    kinetic_above_static,
     list_of,
+    not_allowed,
     numbers,
     refuse_same_names,
     whole_within,
@@ -130,7 +130,7 @@ def refuse_places(
     for number, (on, against) in enumerate(stated):
         key = f"pieces[{number}]"
         if on is not None and on not in names[:number]:
-            raise InputError("scenario.stands_on", f"{key}.on", value=repr(on))
+            raise not_allowed(f"{key}.on", repr(on), "scenario.given_before", f"{key}.on")
         if against is not None and not in_plan:
             where = phrase("rooms.against_without_plan")
             raise InputError("common.left_out", f"{key}.against", where=where)
@@ -326,6 +326,4 @@ def friction_between(friction: object) -> tuple[float, float]:
     called = phrase("simulation.friction")
     values = numbers(called, friction, "friction", count=2)
     static, kinetic = (within(called, value, *FRICTION_RANGE, "", "friction") for value in values)
-    if kinetic > static:
-        raise kinetic_above_static("simulation.kinetic_friction", kinetic, static, "friction")
-    return static, kinetic
+    return static, within("simulation.kinetic_friction", kinetic, 0.0, static, field="friction")

@@ -33,12 +33,11 @@ if TYPE_CHECKING:
     from stayput.measures.measure import Held
     from stayput.model.room import Floor, Room
     from stayput.model.state import State
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.simulation.groups import Group
-    from stayput.simulation.piece import Piece
     from stayput.simulation.placing import Placed
     from stayput.simulation.scene import Joint, Scene
-    from stayput.simulation.space_engine import Gaps, SpaceTrace
+    from stayput.simulation.space_engine import SpaceTrace
     from stayput.simulation.space_fate import Fate
 
 ON_FLOOR_WITHIN = 1e-6
@@ -275,7 +274,7 @@ def run_of_trace(traced: Trace, joints: Sequence[Joint], room: Room, motion: Mot
         devices += device_results(measures, *records, mass=1.0, member=number)
     between = slice(len(trace.springs) - len(joints), None)
     devices += joint_results(joints, trace.springs[between], trace.devices[between], trace.forces[:, between])
-    pieces, held = tuple(body.piece for body in bodies), tuple(body.held for body in bodies)
+    pieces = tuple(body.piece for body in bodies)
     surfaces = [surface_of(plane) for plane in planes]
     hits = tuple(
         Hit(
@@ -290,11 +289,10 @@ def run_of_trace(traced: Trace, joints: Sequence[Joint], room: Room, motion: Mot
     )
     time = motion.dt * np.arange(len(motion.x), dtype=np.float64)
     attitude = frames_of(pieces, trace.attitude)
-    numbers = trace.peak_tilt, trace.hit_numbers[:-1]
     return Run(
         "space",
         default_names(len(bodies)),
-        piece_runs(pieces, time, trace.place, attitude, trace.gaps, *numbers, held, trace.given_up),
+        piece_runs(bodies, trace, attitude, time),
         room,
         motion,
         time,
@@ -318,40 +316,25 @@ def run_of_trace(traced: Trace, joints: Sequence[Joint], room: Room, motion: Mot
 
 
 def piece_runs(
-    standing: Sequence[Piece],
-    time: NDArray[np.float64],
-    place: NDArray[np.float64],
-    attitude: NDArray[np.float64],
-    gaps: tuple[Gaps, Gaps],
-    peak_tilts: NDArray[np.float64],
-    hit_numbers: NDArray[np.int64],
-    held: Sequence[Held | None],
-    given_up: bool = False,
+    bodies: Sequence[Placed], trace: SpaceTrace, attitude: NDArray[np.float64], time: NDArray[np.float64]
 ) -> tuple[PieceRun, ...]:
-    """Return what bodies did, from their poses in a run.
+    """Return what bodies did.
 
     Parameters
     ----------
-    standing : sequence of Piece
-        The bodies as they stood at first.
+    bodies : sequence of Placed
+        The bodies, as they stood at first.
+    trace : SpaceTrace
+        Where they went.
+    attitude : ndarray, shape (bodies, samples, 4)
+        Unit quaternions that turn their frames into the room's.
     time : ndarray, shape (samples,)
         Times of the samples [s].
-    place, attitude : ndarray, shape (bodies, samples, 3) and (bodies, samples, 4)
-        Their poses.
-    gaps : tuple of Gaps
-        At first and at the end.
-    peak_tilts : ndarray, shape (bodies,)
-        Largest tilts at any step [rad], which of what lies on its round side count what it has rolled.
-    hit_numbers : ndarray of int, shape (bodies, 3)
-        How often each hit the floor, walls and ceiling, and other bodies.
-    held : sequence of Held or None
-        The measures in place on each.
-    given_up : bool
-        Whether the run took too much work.
     """
     turns, runs = matrices(attitude), list[PieceRun]()
-    fates = fates_of(standing, place, turns, gaps, given_up)
-    for b, (piece, fate) in enumerate(zip(standing, fates, strict=True)):
+    fates = fates_of([body.piece for body in bodies], trace.place, turns, trace.gaps, trace.given_up)
+    for b, (body, fate) in enumerate(zip(bodies, fates, strict=True)):
+        piece = body.piece
         overturned, fell_off = (
             math.nan if sample is None else float(time[sample]) for sample in (fate.overturned, fate.fell_off)
         )
@@ -362,14 +345,15 @@ def piece_runs(
                 fell_off,
                 float(fate.way[: None if fate.fell is None else fate.fell + 1].max()),
                 float(fate.way[-1]),
-                float(peak_tilts[b] if piece.round_side is None else fate.tilt.max()),
+                # of what lies on its round side the largest at any step counts what it has rolled
+                float(trace.peak_tilt[b] if piece.round_side is None else fate.tilt.max()),
                 float(fate.tilt[-1]),
-                *(int(number) for number in hit_numbers[b]),
+                *(int(number) for number in trace.hit_numbers[b]),
                 tilt=fate.tilt,
                 slide=fate.way,
                 slide_in_plan=fate.slide,
                 yaw=upright_yaws(piece.rest, unrolled(piece, turns[b])),
-                held=held[b],
+                held=body.held,
             )
         )
     return tuple(runs)

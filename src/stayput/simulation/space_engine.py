@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
 
 DEEPEST = 1e-6
 """How deep a body may begin inside another or a plane, by rounding [m]."""
@@ -110,13 +110,9 @@ def refuse_overlaps(planes: NDArray[np.void], gaps: Gaps, names: Sequence[str | 
                     "simulation.begins_inside", "pieces", piece=names[number], surface=surface, depth=-least
                 )
     for second, first in np.argwhere(np.tril(gaps.bodies < -DEEPEST)).tolist():
-        raise InputError(
-            "simulation.begin_in_each_other",
-            "pieces",
-            first=names[first],
-            second=names[second],
-            depth=-float(gaps.bodies[second, first]),
-        )
+        pair: dict[str, Any] = {"first": names[first], "second": names[second]}
+        depth = -float(gaps.bodies[second, first])
+        raise InputError("simulation.begin_in_each_other", "pieces", **pair, depth=depth)
 
 
 SMOOTH, SMOOTH_REFINED = 0.3, 3.0

@@ -29,14 +29,9 @@ def quaternion_of(turn: NDArray[np.float64]) -> NDArray[np.float64]:
     squares = 0.25 * np.array([1 + xx + yy + zz, 1 + xx - yy - zz, 1 - xx + yy - zz, 1 - xx - yy + zz])
     place = int(np.argmax(squares))
     largest = np.sqrt(squares[place])
-    products = np.array(
-        [
-            [0.0, turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]],
-            [turn[2, 1] - turn[1, 2], 0.0, turn[1, 0] + turn[0, 1], turn[0, 2] + turn[2, 0]],
-            [turn[0, 2] - turn[2, 0], turn[1, 0] + turn[0, 1], 0.0, turn[2, 1] + turn[1, 2]],
-            [turn[1, 0] - turn[0, 1], turn[0, 2] + turn[2, 0], turn[2, 1] + turn[1, 2], 0.0],
-        ]
-    )
+    odd, even = turn - turn.T, turn + turn.T
+    wx, wy, wz, xy, xz, yz = odd[2, 1], odd[0, 2], odd[1, 0], even[1, 0], even[0, 2], even[2, 1]
+    products = np.array([[0.0, wx, wy, wz], [wx, 0.0, xy, xz], [wy, xy, 0.0, yz], [wz, xz, yz, 0.0]])
     quaternion = products[place] / (4.0 * largest)
     quaternion[place] = largest
     return quaternion / np.linalg.norm(quaternion)
@@ -120,13 +115,10 @@ def world_of(
         Static and kinetic coefficients of friction between bodies.
     """
     bodies = np.zeros(len(solids), SOLID)
-    points: list[tuple[Any, ...]] = []
-    rims: list[tuple[Any, ...]] = []
-    faces: list[tuple[Any, ...]] = []
-    loops: list[int] = []
-    edges: list[tuple[int, int]] = []
+    lists: tuple[list[Any], ...] = [], [], [], [], []
     for body, solid, floor in zip(bodies, solids, floors, strict=True):
-        _add(body, solid, floor, points, rims, faces, loops, edges)
+        _add(body, solid, floor, lists)
+    points, rims, faces, loops, edges = lists
     pairs = [(b, a, *between, 0.0) for b in range(len(solids)) for a in range(b)]
     return (
         bodies,
@@ -140,17 +132,9 @@ def world_of(
     )
 
 
-def _add(
-    body: Any,
-    solid: Solid,
-    floor: np.void,
-    points: list[tuple[Any, ...]],
-    rims: list[tuple[Any, ...]],
-    faces: list[tuple[Any, ...]],
-    loops: list[int],
-    edges: list[tuple[int, int]],
-) -> None:
+def _add(body: Any, solid: Solid, floor: np.void, lists: tuple[list[Any], ...]) -> None:
     """Fill in a SOLID, and add its points, rims, faces and edges."""
+    points, rims, faces, loops, edges = lists
     moments, axes = solid.principal
     about = solid.centre_of_gravity
     back, front = (

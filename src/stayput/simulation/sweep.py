@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Any, TypedDict
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
 import numpy as np
 import xarray as xr
@@ -29,31 +29,29 @@ MOST_NUMBERS = 2**27
 """Most numbers in all histories together: 1 GiB."""
 
 
-class SweepOptions(TypedDict, total=False):
-    """Options of a sweep; see `stayput.sweep`."""
+class RunOptions(TypedDict, total=False):
+    """How cases are run; see `stayput.simulate_many`."""
 
-    histories: Sequence[str]
     threads: int | None
     executor: Executor | None
     chunk: int | None
     progress: bool | None
 
 
+class SweepOptions(RunOptions, total=False):
+    """Options of a sweep; see `stayput.sweep`."""
+
+    histories: Sequence[str]
+
+
 def sweep_case(
-    case: Case,
-    axes: Axes,
-    *,
-    histories: Sequence[str] = (),
-    threads: int | None = None,
-    executor: Executor | None = None,
-    chunk: int | None = None,
-    progress: bool | None = None,
+    case: Case, axes: Axes, *, histories: Sequence[str] = (), **options: Unpack[RunOptions]
 ) -> xr.Dataset:
     """Simulate a case along axes; see `stayput.sweep`."""
     grid = make_grid(case, axes)
     wanted = list_of("histories", histories, str)
-    times, traced = _histories(grid, wanted, threads) if wanted else (None, {})
-    columns = run_grid(grid, threads=threads, executor=executor, chunk=chunk, progress=progress)
+    times, traced = _histories(grid, wanted, options.get("threads")) if wanted else (None, {})
+    columns = run_grid(grid, **options)
     data = _frame(grid, case)
     dims = [axis.name for axis in grid.axes]
     for column in QUANTITIES:

@@ -176,7 +176,7 @@ def ac156_motion(
     >>> import stayput as sp
     >>> required = sp.ac156(1.0, 0.5)
     >>> motion, periods = sp.ac156_motion(required), [0.05, 0.1, 0.3, 0.7]  # s
-    >>> spectrum = sp.response_spectrum(motion, periods)
+    >>> spectrum = motion.spectrum(periods)
     >>> (spectrum.sa / required.horizontal(periods)).round(1).tolist()  # how near it comes
     [1.0, 1.0, 1.0, 0.9]
     """

@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.errors import InputError, within
+from stayput.catalogue import phrase
+from stayput.errors import not_allowed, within
 from stayput.model.parameters import GRAVITY, STANDARD_GRAVITY
 from stayput.motion.record import Motion
-from stayput.motion.spectrum import response_spectrum
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -99,7 +99,8 @@ def asce43_sliding(motion: Motion, friction: float, gravity: float = STANDARD_GR
     vertical = 0.0 if motion.z is None else float(np.abs(motion.z).max())
     most = gravity / VERTICAL_SHARE
     if vertical >= most:
-        raise InputError("standards.lifted", "motion", vertical=vertical, most=most)
+        allowed = phrase("common.under", share=f"{most:.3g} m/s²")
+        raise not_allowed("model.vertical_peak", f"{vertical:.3g} m/s²", allowed, "motion")
     effective = mu * (1.0 - VERTICAL_SHARE * vertical / gravity)
     c_s = 2.0 * effective * gravity
     frequency = _first_crossing(motion, c_s)
@@ -127,5 +128,5 @@ def _first_crossing(motion: Motion, level: float) -> float:
 def _vector_spectrum(motion: Motion, frequencies: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return √(Sa,x² + Sa,y²) at increasing frequencies [m/s²]."""
     horizontal = [name for name in ("x", "y") if name in motion.components]
-    rows = [response_spectrum(motion, 1.0 / frequencies[::-1], DAMPING, name).sa[::-1] for name in horizontal]
+    rows = [motion.spectrum(1.0 / frequencies[::-1], DAMPING, name).sa[::-1] for name in horizontal]
     return np.sqrt(sum(np.square(row) for row in rows))

@@ -12,8 +12,11 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, not_allowed, numbers
-from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve, probability
-from stayput.fragility.intensity_measures import FLOOR_JMA
+from stayput.fragility.curve import fragility_curve
+from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY
+from stayput.fragility.paired import difference
+from stayput.fragility.probabilities import probability
+from stayput.fragility.trials import Trials
 from stayput.measures import Element, hold
 from stayput.measures.element import weakest
 from stayput.mechanics.devices.columns import HOLDS
@@ -42,7 +45,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.catalogue import Phrase
-    from stayput.fragility import FragilityCurve, IntensityMeasure
+    from stayput.fragility.curve import FragilityCurve
+    from stayput.fragility.intensity_measures import IntensityMeasure
     from stayput.scenario import Scenario
     from stayput.scenario.option import Option
     from stayput.simulation.scene import Scene

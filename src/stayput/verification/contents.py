@@ -13,8 +13,7 @@ from stayput.contents.contents import emptied, opened
 from stayput.contents.spill import Spill, spill_of
 from stayput.errors import InputError
 from stayput.execution import Pool
-from stayput.fragility import Probability, probability
-from stayput.fragility.probabilities import probability_of_counts
+from stayput.fragility.probabilities import Probability, probability, probability_of_counts
 from stayput.montecarlo.hazard import FloorMotions, PreparedFloor
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import DrawTable, Rows, draws, rows_of
@@ -25,7 +24,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.contents import Contents
+    from stayput.contents.contents import Contents
     from stayput.model.body import Body
     from stayput.scenario import Scenario
     from stayput.scenario.option import Option

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, list_of, within
-from stayput.fragility import IntensityMeasure, intensity_measure
+from stayput.fragility.intensity_measures import IntensityMeasure, intensity_measure
 from stayput.model.body import Body
 from stayput.model.room import Room
 from stayput.montecarlo.counting import SLIDE_LIMIT
@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
-    from stayput.building import Building, ShearModel
+    from stayput.building.building import Building
+    from stayput.building.model import ShearModel
     from stayput.uncertainty import Uncertainty
     from stayput.verification.verdict import Verdict
 
@@ -83,8 +84,8 @@ def verify(
         JMA intensities of the ground for the fragility curves, increasing; with none in it there are no
         curves. Default `stayput.verification.LEVELS`, in space fewer.
     intensity_measures : sequence of IntensityMeasure, optional
-        What else the curves are drawn against, beside the usual measures: `stayput.fragility.MMI`, or
-        `stayput.fragility.spectral_acceleration` at a period.
+        What else the curves are drawn against, beside the usual measures: ``MMI`` of
+        `stayput.fragility.intensity_measures`, or its ``spectral_acceleration`` at a period.
     slide_limit : float
         Slide that counts as too far [m].
     every_run : bool

@@ -19,7 +19,7 @@ from stayput.estimates import (
 )
 from stayput.everyday import Everyday, TipOverCase, tip_over
 from stayput.execution import Pool
-from stayput.fragility import PFA, PFV
+from stayput.fragility.intensity_measures import PFA, PFV
 from stayput.fragility.probabilities import percent
 from stayput.measures.measure import GRADE_OF, MEANINGS
 from stayput.model.parameters import STANDARD_GRAVITY, parameters

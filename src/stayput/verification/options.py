@@ -82,7 +82,7 @@ def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impo
 
     if scenario.alone:
         refuse_bad_start(scenario.piece.body(), room, scenario.initial.state())
-        compared = named if named or scenario.without_measures else usual()
+        compared = named if named or scenario.in_python["measures"] == () else usual()
     else:
         with scenario.naming_file():
             put_in_place(scenario.stated)

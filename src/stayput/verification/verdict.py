@@ -19,7 +19,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
-    from stayput.fragility import Capacity, Difference, FragilityCurve, IntensityMeasure, Probability
+    from stayput.fragility.curve import Capacity, FragilityCurve
+    from stayput.fragility.intensity_measures import IntensityMeasure
+    from stayput.fragility.paired import Difference
+    from stayput.fragility.probabilities import Probability
     from stayput.measures.measure import Grade
     from stayput.scenario import Scenario
     from stayput.scenario.option import Option

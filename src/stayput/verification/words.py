@@ -16,7 +16,7 @@ from stayput.wording import FAR, inside, is_open, joined, with_aside
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from stayput.fragility import Probability
+    from stayput.fragility.probabilities import Probability
     from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario.option import Option
     from stayput.verification.verdict import AsInstalled, OptionVerdict, Verdict

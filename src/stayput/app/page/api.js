@@ -42,7 +42,6 @@ const blob = async (path, query, content) =>
 
 export const ping = () => json("ping");
 export const presets = () => json("presets");
-export const words = (file) => json(`../../${file}`);
 export const simulate = (content, signal) => json("simulate", sent(content, signal));
 export const shaking = (content, signal) => json("shaking", sent(content, signal));
 export const verify = (content, signal) => json("verify", sent(content, signal));

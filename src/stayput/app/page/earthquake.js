@@ -8,6 +8,7 @@ import { clamp, numberOf, wordsOf } from "./scene.js";
 import { both, t } from "./words.js";
 
 const WAYS = ["intensity", "mmi", "pga", "pgv", "sa", "earthquake"];
+const SINGLE = ["mmi", "pga", "pgv"]; // those that are one number, whose field is called as the way
 const MERCALLI = [4, 5, 6, 7, 8, 9, 10];
 const GROUNDS = [600, 300, 180];
 
@@ -36,7 +37,7 @@ export function build(container, { get, set, presets, scene }) {
   const number = (name, also) => slider({ label: t(name), ...numberOf(presets, name), ...also });
   const way = choice({
     label: t("knownBy"),
-    options: WAYS.map((id) => ({ id, label: t(`by_${id}`) })),
+    options: WAYS.map((id) => ({ id, label: t(id) })),
     changed: (id) => set(structuredClone(FIRST[id])),
   });
   const fields = {
@@ -87,7 +88,7 @@ export function build(container, { get, set, presets, scene }) {
     const entry = get(),
       now = wayOf(entry);
     way.set(now);
-    for (const name of ["mmi", "pga", "pgv"]) {
+    for (const name of SINGLE) {
       fields[name].element.hidden = name !== now;
       if (name === now) fields[name].set(name === "mmi" ? String(entry.mmi) : entry[name]);
     }
@@ -111,37 +112,37 @@ export function build(container, { get, set, presets, scene }) {
   return { update };
 }
 
+/** The names of an entry's values, as the server's presets have them: "mmi", or "sa.period" and "sa.value". */
+const namesOf = (way) => {
+  const [first] = Object.values(FIRST[way] ?? {});
+  return typeof first === "object" ? Object.keys(first).map((key) => `${way}.${key}`) : [way];
+};
+
 /** An entry as text for a link: "mmi:8", "sa:0.3;8", "earthquake:7;20;10;crustal;300"; "" for an intensity. */
-export const written = (entry) =>
-  entry
-    ? `${wayOf(entry)}:${Object.values(entry).flatMap((one) => (typeof one === "object" ? Object.values(one) : [one])).join(";")}`
-    : "";
+export function written(entry) {
+  if (!entry) return "";
+  const [[way, value]] = Object.entries(entry);
+  return `${way}:${Object.values(typeof value === "object" ? value : [value]).join(";")}`;
+}
 
 /** The entry of a link's text; null, an intensity, where it makes no sense. */
 export function fromText(text, presets) {
   const [way, rest = ""] = (text ?? "").split(":"),
-    values = rest.split(";");
-  const within = (name, value) => {
-    const { low, high } = presets.numbers[`shaking.${name}`];
-    return value !== "" && Number.isFinite(Number(value)) ? clamp(Number(value), [low, high]) : null;
-  };
-  if (way === "mmi") {
-    const mmi = within("mmi", values[0]);
-    return mmi === null ? null : { mmi: clamp(Math.round(mmi), [MERCALLI[0], MERCALLI.at(-1)]) };
-  }
-  if (way === "pga" || way === "pgv") {
-    const peak = within(way, values[0]);
-    return peak === null ? null : { [way]: peak };
-  }
-  if (way === "sa") {
-    const [period, value] = [within("sa.period", values[0]), within("sa.value", values[1] ?? "")];
-    return period === null || value === null ? null : { sa: { period, value } };
-  }
-  if (way !== "earthquake" || values.length !== 5) return null;
-  const [magnitude, distance, depth, , vs30] = ["magnitude", "distance", "depth", "kind", "vs30"].map((name, i) =>
-    name === "kind" ? null : within(`earthquake.${name}`, values[i]),
-  );
-  if ([magnitude, distance, depth].includes(null) || !wordsOf(presets, "quakeKind").includes(values[3])) return null;
-  const ground = GROUNDS.includes(vs30) ? vs30 : FIRST.earthquake.earthquake.vs30;
-  return { earthquake: { magnitude, distance, depth, kind: values[3], vs30: ground } };
+    texts = rest.split(";"),
+    names = namesOf(way);
+  if (way === "intensity" || !WAYS.includes(way) || texts.length !== names.length) return null;
+  const values = names.map((name, i) => valueOf(name, texts[i], presets));
+  if (values.includes(null)) return null;
+  const keys = Object.keys(Object.values(FIRST[way])[0]);
+  return { [way]: keys.length ? Object.fromEntries(keys.map((key, i) => [key, values[i]])) : values[0] };
+}
+
+/** One of the values of a link's text within its range, or null. */
+function valueOf(name, text, presets) {
+  if (name === "earthquake.kind") return wordsOf(presets, "quakeKind").includes(text) ? text : null;
+  if (text === "" || !Number.isFinite(Number(text))) return null;
+  const { low, high } = presets.numbers[`shaking.${name}`],
+    value = clamp(Number(text), [low, high]);
+  if (name === "mmi") return clamp(Math.round(value), [MERCALLI[0], MERCALLI.at(-1)]);
+  return name === "earthquake.vs30" && !GROUNDS.includes(value) ? FIRST.earthquake.earthquake.vs30 : value;
 }

@@ -43,6 +43,15 @@ export const wireFilm = (button, say, asked, done = () => {}) =>
     }
   });
 
+/** Shows the address as a link, or that it is "long"; "missing" is the name of a record that it does not hold, or null. */
+export function showLink(long, missing) {
+  part("link").hidden = long;
+  part("link-long").hidden = !long;
+  part("link-record").hidden = missing === null;
+  part("link-record").textContent = missing === null ? "" : t("linkRecord", { name: missing });
+  part("address").value = location.href;
+}
+
 /** Points the links of the verdict at a finished job, or at nothing. */
 export function linkTo(job) {
   for (const [id, addressOf] of [

@@ -3,6 +3,7 @@
 import { label, shortClass, titles } from "./axes.js";
 import { el, fill, part, svg, widthFor } from "./dom.js";
 import { classesKnown } from "./panel_shaking.js";
+import { nameOf } from "./ranking.js";
 import { without, yours } from "./verdict.js";
 import { both, number, percent, t } from "./words.js";
 
@@ -34,15 +35,15 @@ export function show(verdict, ask) {
     return fill(part("fragility"), el("p", { class: "hint", text: t("curvesInSpace") }), button);
   }
   W = widthFor(part("fragility"));
-  const known = verdict.intensity !== null,
-    here = Math.min(HIGH, Math.max(LOW, verdict.intensity ?? LOW));
+  const known = verdict.jma_intensity !== null,
+    here = Math.min(HIGH, Math.max(LOW, verdict.jma_intensity ?? LOW));
   const picture = svg(
     "svg",
     {
       viewBox: `0 0 ${W} ${H}`,
       class: "chart",
       role: "img",
-      "aria-label": t("fragilityAlt", { here: known ? number(verdict.intensity, 2) : t("notKnown") }),
+      "aria-label": t("fragilityAlt", { here: known ? number(verdict.jma_intensity, 2) : t("notKnown") }),
     },
     ...classes(),
     ...grid(),
@@ -65,9 +66,7 @@ export function show(verdict, ask) {
           svg("path", { class: `dot c${i}`, d: MARKS[i](20, 6) }),
         ),
         el("span", {
-          text: [name(one), one.capacity && t("half", { at: capacity(one.capacity.p50) })]
-            .filter(Boolean)
-            .join(t("colon")),
+          text: `${nameOf(one)}${t("colon")}${t("half", { at: capacity(one.capacities.find(({ share }) => share === 0.5)) })}`,
         }),
       ),
     ),
@@ -85,10 +84,8 @@ const hereText = (at) =>
     text: t("here"),
   });
 
-const name = (one) => (one.measures.length ? both(one.label) : t("without"));
-
 /** An intensity with the range that it surely lies in; only bounds where the simulations do not reach it. */
-function capacity({ estimate, low, high, above, below, one_motion: alone }) {
+function capacity({ jma_intensity: estimate, low, high, above, below, one_motion: alone }) {
   const digits = (value) => number(value, 2);
   if (estimate === null) {
     if (above !== null && below !== null)
@@ -148,12 +145,12 @@ function band({ curve: { intensity, low, high } }, i) {
 
 function curve({ curve: { intensity, probability, observed } }, i) {
   const dots = (observed ?? [])
-    .filter((one) => one.estimate !== null && one.intensity >= LOW && one.intensity <= HIGH)
+    .filter((one) => one.estimate !== null && one.im >= LOW && one.im <= HIGH)
     .map((one) =>
       svg(
         "path",
-        { class: `dot c${i}`, d: MARKS[i](x(one.intensity), y(one.estimate)) },
-        svg("title", { text: `${number(one.intensity, 2)}${t("colon")}${percent(one.estimate)}` }),
+        { class: `dot c${i}`, d: MARKS[i](x(one.im), y(one.estimate)) },
+        svg("title", { text: `${number(one.im, 2)}${t("colon")}${percent(one.estimate)}` }),
       ),
     );
   return svg(

@@ -2,7 +2,7 @@
 
 import * as api from "./api.js";
 import { copying, fill, offer, part } from "./dom.js";
-import { SECONDS, isDrawn, linkTo, pressed, shortKind, wireFilm } from "./films.js";
+import { SECONDS, isDrawn, linkTo, pressed, shortKind, showLink, wireFilm } from "./films.js";
 import * as pieces from "./pieces.js";
 import { current, sampled } from "./scene.js";
 import { t } from "./words.js";
@@ -60,14 +60,9 @@ export function point(done) {
 
 /** Shows the address of the scene, what is too long for one, and whether there is a run with measures. */
 export function update(measured) {
-  const long = pieces.tooLong(),
-    { record } = current(),
+  const { record } = current(),
     alone = pieces.asked() ? null : [record, record?.vertical].find((one) => one && !one.letters);
-  part("link").hidden = long;
-  part("link-long").hidden = !long;
-  part("link-record").hidden = !alone;
-  part("link-record").textContent = alone ? t("linkRecord", { name: alone.name }) : "";
-  part("address").value = location.href;
+  showLink(pieces.tooLong(), alone?.name ?? null);
   held = measured && !pieces.asked();
   for (const what of ["csv", "html", "film"]) part(`${what}-with`).disabled = shut(part(`${what}-with`));
 }

@@ -1,31 +1,17 @@
 // The scene in the page's address, so that a link shows it again.
 
 import { fromText, written } from "./earthquake.js";
-import { clamp, limitsOf, wordsOf } from "./scene.js";
+import { clamp, limitsOf, plain, wordsOf } from "./scene.js";
 
 const round = (value) => String(Number(value.toPrecision(6)));
-const NUMBERS = [
-  "width",
-  "height",
-  "length",
-  "heading",
-  "mass",
-  "centre",
-  "gap",
-  "ceiling",
-  "storeys",
-  "storey",
-  "intensity",
-  "member",
-  "drawers",
-  "drawerLoad",
-  "pull",
-];
-const WHOLE = ["storeys", "storey", "member", "drawers"];
-const WORDS = ["wallConstruction", "ceilingConstruction", "base"];
-const NAMES = ["piece", "floor", "structure", "family", "contents", "doors", ...WORDS];
+/** The keys of a scene whose values are of a type. */
+const keysOf = (type) => Object.keys(plain).filter((key) => typeof plain[key] === type);
+const NUMBERS = keysOf("number"),
+  NAMES = keysOf("string"),
+  FLAGS = keysOf("boolean"),
+  WHOLE = ["storeys", "storey", "member", "drawers"],
+  WORDS = ["wallConstruction", "ceilingConstruction", "base"];
 const SAID = ["component", "unit", "dt", "remove_mean"];
-const FLAGS = ["inSpace", "wall", "scaled", "onFloor", "installed"];
 
 /** What a link says of a record: its id and name, what was said of it when it was sent, and itself where it is small. */
 const RECORD = ["record", "name", ...SAID, "wave"];

@@ -208,7 +208,7 @@ function edit(keys) {
 }
 
 async function begin() {
-  await screens.begin("see");
+  screens.begin("see");
   readInks();
   screens.wire(() => {
     if (presets) again();

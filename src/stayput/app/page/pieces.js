@@ -5,8 +5,9 @@ import { patiently } from "./connection.js";
 import { el, fill, part } from "./dom.js";
 import { packed, unpacked, utf8 } from "./packing.js";
 import { wordedOfScenario } from "./refusals.js";
+import { fate } from "./story.js";
 import { refusal, tell } from "./upload.js";
-import { both, number, t } from "./words.js";
+import { both, t } from "./words.js";
 
 const LONGEST = 8000; // letters of a file in a link: longer ones are cut by much that links are sent with
 
@@ -84,10 +85,6 @@ export function list(run, outcomes, back) {
   part("pieces").hidden = !here;
   document.body.dataset.pieces = String(here);
   if (!here) return fill(part("pieces"));
-  const what = ({ outcome, fall_time_s: fell, overturn_time_s: lay }) => {
-    const time = fell ?? lay;
-    return `${labels[outcome]}${time === null ? "" : `${t("listed")}${number(time, 1)}\u00a0s`}`;
-  };
   fill(
     part("pieces"),
     el("h3", { text: t("piecesTitle", { name: file.name }) }),
@@ -95,21 +92,10 @@ export function list(run, outcomes, back) {
       "ul",
       { class: "key" },
       ...run.pieces.map((one, i) =>
-        el(
-          "li",
-          {},
-          chip(run.scene.bodies[i].colour),
-          el("span", { text: `${one.name}${t("colon")}${what(one)}` }),
-        ),
+        fate(one, { name: one.name, colour: run.scene.bodies[i].colour, outcomes: labels }),
       ),
     ),
     el("p", { class: "hint", text: t("piecesNote") }),
     el("button", { type: "button", text: t("ownPiece"), onclick: back }),
   );
-}
-
-function chip(colour) {
-  const made = el("span", { class: "chip" });
-  made.style.background = colour;
-  return made;
 }

@@ -4,6 +4,9 @@ import { bar } from "./bars.js";
 import { el, fill, part } from "./dom.js";
 import { both, percent, t } from "./words.js";
 
+/** What an option is called. */
+export const nameOf = (one) => (one.measures.length ? both(one.label) : t("without"));
+
 /** Lists the options, the best first; "take" puts an option's measures in place. */
 export function show(verdict, take) {
   fill(
@@ -15,14 +18,14 @@ export function show(verdict, take) {
         el(
           "div",
           { class: "optionhead" },
-          el("strong", { text: one.measures.length ? both(one.label) : t("without") }),
+          el("strong", { text: nameOf(one) }),
           one.yours ? el("span", { class: "tag", text: t("inPlace") }) : null,
         ),
         el(
           "div",
           { class: "optionbar" },
-          bar(one.overturned),
-          el("span", { class: "share", text: percent(one.overturned.estimate) }),
+          bar(one.probabilities.overturned),
+          el("span", { class: "share", text: percent(one.probabilities.overturned.estimate) }),
           grade(one, one.grade),
         ),
         el("p", { class: "hint", text: both(one.reason) }),
@@ -30,7 +33,7 @@ export function show(verdict, take) {
           ? null
           : el("button", {
               type: "button",
-              "aria-label": t("tryThis", { name: one.measures.length ? both(one.label) : t("without") }),
+              "aria-label": t("tryThis", { name: nameOf(one) }),
               text: t("try"),
               onclick: () => take(one.measures),
             }),

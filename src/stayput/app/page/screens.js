@@ -1,6 +1,5 @@
 // Which screen is shown on a phone, with a place in the browser's history; and the reader's theme and language.
 
-import { patiently } from "./connection.js";
 import { icon } from "./icons.js";
 import { fill, narrow, part } from "./dom.js";
 import { recalled, remember } from "./memory.js";
@@ -46,9 +45,9 @@ export function wire(changed) {
   for (const button of document.querySelectorAll("[data-go]"))
     button.addEventListener("click", () => goTo(button.dataset.go));
   for (const button of document.querySelectorAll("#languages button"))
-    button.addEventListener("click", async () => {
+    button.addEventListener("click", () => {
       remember("language", button.lang);
-      await patiently(() => speak(button.lang));
+      speak(button.lang);
       marks();
       changed();
     });
@@ -66,10 +65,10 @@ export function wire(changed) {
 }
 
 /** Puts the remembered theme and language in place, before anything is drawn; "first" is the screen to begin with. */
-export async function begin(first) {
+export function begin(first) {
   const theme = recalled("theme");
   if (theme === "light" || theme === "dark") document.documentElement.dataset.theme = theme;
-  await patiently(() => speak(recalled("language") ?? preferredLanguage()));
+  speak(recalled("language") ?? preferredLanguage());
   const screen = history.state?.screen;
   mark(SCREENS.includes(screen) ? screen : first);
   history.replaceState({ screen: document.body.dataset.screen }, "");

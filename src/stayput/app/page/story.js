@@ -78,3 +78,15 @@ function peaks(run) {
     );
   return parts.join(t("space"));
 }
+
+/** A line of a key: a piece's colour, its name, what became of it and when, else "standing". */
+export function fate({ outcome, fall_time_s: fell, overturn_time_s: lay }, { name, colour, outcomes, standing = null }) {
+  const time = fell ?? lay,
+    told = [outcomes[outcome], time === null ? standing : `${number(time, 1)}\u00a0s`].filter(Boolean);
+  return el(
+    "li",
+    {},
+    el("span", { class: "chip", style: `background: ${colour}` }),
+    el("span", { text: `${name}${t("colon")}${told.join(t("listed"))}` }),
+  );
+}

@@ -122,10 +122,8 @@ async function work() {
     if (!first || mine !== round) return;
     part("understand").dataset.old = "false";
     date(FIRST, false);
-    verdict.show(first.result);
-    everyday.show(first.result);
-    estimates.show(first.result);
     base = first.result;
+    displayBase();
     const all = { ...content, compare_usual: true, curves: !inSpace(scene) };
     const job = await jobs.run(all, (running) => {
       progress(running.progress);
@@ -177,6 +175,12 @@ async function askCurves() {
 const takeMeasures = (chosen) =>
   change({ measures: Object.fromEntries(chosen.map(({ type, ...values }) => [type, values])) });
 
+function displayBase() {
+  verdict.show(base);
+  everyday.show(base);
+  estimates.show(base);
+}
+
 function display() {
   verdict.show(result);
   showCurves();
@@ -186,11 +190,7 @@ function display() {
 /** Writes the words again, for another language. */
 export function again() {
   if (result) display();
-  if (base) {
-    verdict.show(base);
-    everyday.show(base);
-    estimates.show(base);
-  }
+  if (base) displayBase();
   state(part("understand").dataset.state);
   if (part("understand").dataset.state === "done") keep.point(part("understand").dataset.job);
 }

@@ -191,17 +191,12 @@ function offering(motion, file) {
 }
 
 /** Takes a record that is on the server into the scene, as it is; "letters" are what a link holds of it, "up" is its vertical component. */
-async function use(motion, letters, up = null) {
-  take(motion, { scaled: false, onFloor: Boolean(motion.floor) }, letters, up);
-  preview = await api.motionPreview(motion.id, motion.shaking.component).catch(() => null);
-  update();
-}
-
-function take(motion, also, letters, up) {
+async function use(motion, letters, up = null, also = { scaled: false, onFloor: Boolean(motion.floor) }) {
   preview = null;
   const { id, name, shaking } = motion;
-  const record = { id, name, shaking, motion, letters, vertical: up };
-  change({ record, gone: null, ...also });
+  change({ record: { id, name, shaking, motion, letters, vertical: up }, gone: null, ...also });
+  preview = await api.motionPreview(id, shaking.component).catch(() => null);
+  update();
 }
 
 /** Takes another component of the record in use. */
@@ -209,10 +204,7 @@ async function turn(component) {
   const { record } = current();
   try {
     const motion = await api.motion(record.id, component);
-    if (current().record?.id !== motion.id) return;
-    take(motion, {}, record.letters, current().record.vertical);
-    preview = await api.motionPreview(motion.id, component).catch(() => null);
-    update();
+    if (current().record?.id === motion.id) await use(motion, record.letters, current().record.vertical, {});
   } catch (error) {
     tell(() => [refusal(worded(error, "unreadable"))]);
   }

@@ -1,6 +1,7 @@
 // The verdict in plain words with its probability, and ten small pieces that show it.
 
 import { el, fill, part, svg } from "./dom.js";
+import { measureOf } from "./panel_measures.js";
 import { grade } from "./ranking.js";
 import { both, deviceName, length, number, percent, t, within } from "./words.js";
 
@@ -15,7 +16,7 @@ export function show(verdict) {
   const pair = [without(verdict), yours(verdict)].filter(Boolean);
   const single = verdict.motions === 1;
   const texts = pair.map((one, i) => {
-    const p = one.overturned;
+    const p = one.probabilities.overturned;
     if (p.estimate === null) return t("chanceUnknown", { measures: t(i > 0 ? "with" : "without") });
     return t(i > 0 ? "chanceWith" : single ? "chanceOfRecord" : "chanceWithout", {
       share: percent(p.estimate),
@@ -27,7 +28,7 @@ export function show(verdict) {
   fill(part("verdict"), ...texts.map((text, i) => el("span", { class: "sentence", text }, grade(pair[i]))));
   fill(
     part("tens"),
-    ...pair.map((one, i) => tens(one.overturned.estimate, t(i === 0 ? "without" : "with"))).filter(Boolean),
+    ...pair.map((one, i) => tens(one.probabilities.overturned.estimate, t(i === 0 ? "without" : "with"))).filter(Boolean),
   );
   fill(
     part("also"),
@@ -43,17 +44,16 @@ export function show(verdict) {
 
 /** What else is likely: sliding far, a device that fails, things that come out, measures as people install them. */
 function also(one, title, verdict) {
-  const sentences = [];
-  if (one.slid.estimate >= LIKELY)
-    sentences.push(
-      t("alsoSlides", { limit: length(verdict.slide_limit_m), share: percent(one.slid.estimate) }),
-    );
+  const sentences = [],
+    { slid } = one.probabilities;
+  if (slid.estimate >= LIKELY)
+    sentences.push(t("alsoSlides", { limit: length(verdict.slide_limit_m), share: percent(slid.estimate) }));
   const worst = new Map(); // of devices of a kind that which fails most often
   for (const each of one.devices)
-    if (!(worst.get(each.kind)?.failed.estimate >= each.failed.estimate)) worst.set(each.kind, each);
-  for (const { kind, label, name, failed } of worst.values())
+    if (!(worst.get(each.type)?.failed.estimate >= each.failed.estimate)) worst.set(each.type, each);
+  for (const { type, name, failed } of worst.values())
     if (failed.estimate >= LIKELY) {
-      const device = deviceName(within(label), name.replace(kind, "").trim());
+      const device = deviceName(within(measureOf(type).label), name.replace(type, "").trim());
       sentences.push(t("alsoFails", { device, share: percent(failed.estimate) }));
     }
   sentences.push(...one.asides.map(both));

@@ -1,29 +1,23 @@
 // The page's language: one table of words for each, chosen at the start and switched at any time.
 
-import * as api from "./api.js";
 import { rounded } from "./canvas/digits.js";
-import { FILES, LANGUAGES, TABLES } from "./words_table.js"; // made by the server from its catalogue
+import { TABLES } from "./words_table.js"; // made by the server from its catalogue
 
-let [language] = Object.keys(TABLES), // the one whose words came with the page
-  awaited = language;
+let language = "en";
 
 /** The language now: "en" or "ja". */
 export const spoken = () => language;
 
-/** Chooses a language, whose words are fetched where they are not here yet, and puts them into the page. */
-export async function speak(wanted) {
-  const chosen = LANGUAGES.includes(wanted) ? wanted : "en";
-  awaited = chosen;
-  TABLES[chosen] ??= await api.words(FILES[chosen]);
-  if (awaited !== chosen) return; // another one was chosen meanwhile
-  language = chosen;
+/** Chooses a language, and puts its words into the page. */
+export function speak(wanted) {
+  language = wanted in TABLES ? wanted : "en";
   document.documentElement.lang = language;
   translate(document);
 }
 
 /** The language that the reader's browser asks for, of those there are. */
 export const preferredLanguage = () =>
-  (navigator.languages ?? []).map((tag) => tag.slice(0, 2)).find((tag) => LANGUAGES.includes(tag)) ?? "en";
+  (navigator.languages ?? []).map((tag) => tag.slice(0, 2)).find((tag) => tag in TABLES);
 
 /** The words for a key; "{name}" in them is replaced by the value of that name. */
 export function t(key, values = {}) {
@@ -34,18 +28,19 @@ export function t(key, values = {}) {
 /** Whether there are words for a key. */
 const known = (key) => key in TABLES[language];
 
-/** The words for one of the choices that a field has. */
-export const choiceLabel = (id) => (known(`choice_${id}`) ? t(`choice_${id}`) : id);
+/** The words of a kind for an id; itself where there are none. */
+const labelled = (kind, id) => (known(`${kind}_${id}`) ? t(`${kind}_${id}`) : id);
 
-const placed = (word) => (known(`place_${word}`) ? t(`place_${word}`) : word);
+/** The words for one of the choices that a field has. */
+export const choiceLabel = (id) => labelled("choice", id);
 
 /** The words for where a device is: "front left"; of many of a kind each has a number, "front 3". */
 const placeLabel = (place) => {
-  if (known(`place_${place}`)) return placed(place);
+  if (known(`place_${place}`)) return t(`place_${place}`);
   const words = place.split(" ");
   // that of a joint is the names of two pieces, which are the user's own
   const ours = words.every((word) => known(`place_${word}`) || /^\d+$/.test(word));
-  return ours ? words.map(placed).join(t("space")) : place;
+  return ours ? words.map((word) => labelled("place", word)).join(t("space")) : place;
 };
 
 /** What a device is called, and where it is. */

@@ -51,9 +51,11 @@ export function clashes(room) {
       return { what, outline: one.outline, low: one.up, high: one.up + one.height };
     }),
     people = things(room, ["places"]).map((what) => ({ what, ...lying(room, what.index) }));
+  for (const { what, outline } of [...bodies, ...people]) {
+    const depth = beyondWalls(room.plan, outline);
+    if (depth > DEEPEST) found.push({ what, other: null, depth });
+  }
   bodies.forEach((one, number) => {
-    const out = beyondWalls(room.plan, one.outline);
-    if (out > DEEPEST) found.push({ what: one.what, other: null, depth: out });
     for (const other of [...bodies.slice(0, number), ...people]) {
       if (other.what.table === "furniture" && carrier(room, number) === other.what.index) continue;
       const high = Math.min(one.high - other.low, other.high - one.low),
@@ -61,10 +63,6 @@ export function clashes(room) {
       if (depth > DEEPEST) found.push({ what: one.what, other: other.what, depth });
     }
   });
-  for (const one of people) {
-    const out = beyondWalls(room.plan, one.outline);
-    if (out > DEEPEST) found.push({ what: one.what, other: null, depth: out });
-  }
   return found;
 }
 

@@ -58,17 +58,23 @@ const row = (field, value, there = () => true) => ({
   },
 });
 
+/** A row of a number: "value" reads it from a room, "set" makes the room with another one. */
+const numberRow = (label, as, limits, value, set, there) =>
+  row(
+    amount({ label: t(label), ...as, limits, changed: (next) => change(set(current(), next)) }),
+    value,
+    there,
+  );
+
+/** A row of a choice of words; "set" makes the room with another one. */
+const choiceRow = (label, options, value, set, there) =>
+  row(choice({ label: t(label), options, changed: (id) => change(set(current(), id)) }), value, there);
+
+const wallOptions = () => WALLS.map((id) => ({ id, label: t(id) }));
+
 function roomRows() {
-  const side = (key, label, next) =>
-    row(
-      amount({
-        label: t(label),
-        ...METRES,
-        limits: () => limitsOf(`plan.${key}`),
-        changed: (value) => change(next(current(), value)),
-      }),
-      (room) => room.plan[key],
-    );
+  const side = (key, label, set) =>
+    numberRow(label, METRES, () => limitsOf(`plan.${key}`), (room) => room.plan[key], set);
   return [
     side("width", "roomWidth", (room, value) => withSides(room, value, room.plan.length)),
     side("length", "roomLength", (room, value) => withSides(room, room.plan.width, value)),
@@ -83,195 +89,161 @@ function rowsOf(what) {
 
 function name(what) {
   const taken = (text) =>
-    ["furniture", "places", "doors"].includes(what.table) &&
     current()[what.table].some(
       (_, index) => index !== what.index && nameOf(current(), { ...what, index }) === kindName(what.table, text),
     );
   const refuse = (text) => (!text ? t("nameEmpty") : taken(text) ? t("nameTaken", { name: text }) : null);
-  const field = naming({
-    label: t("name"),
-    refuse,
-    changed: (text) => change(renamed(current(), what, text)),
-  });
-  return row(field, (room) => nameOf(room, what));
+  const changed = (text) => change(renamed(current(), what, text));
+  return row(naming({ label: t("name"), refuse, changed }), (room) => nameOf(room, what));
 }
-
-const standsFree = (what) => (room) => !room[what.table][what.index].against;
 
 /** The place of something that stands free: from the left and the near wall, and which way it faces. */
-function freeRows(what, there = () => true) {
-  const moved = (axis) => (value) => {
-    const { at, heading } = thing(current(), what);
-    change(
-      placed(
-        current(),
-        what,
-        at.map((old, i) => (i === axis ? value : old)),
-        heading,
-      ),
-    );
-  };
-  const at = (axis, label) =>
-    row(
-      amount({
-        label: t(label),
-        ...METRES,
-        limits: () => [0, axis ? current().plan.length : current().plan.width],
-        changed: moved(axis),
-      }),
+function freeRows(what, there) {
+  const at = (axis, label, side) =>
+    numberRow(
+      label,
+      METRES,
+      () => [0, current().plan[side]],
       (room) => thing(room, what).at[axis],
+      (room, value) => placed(room, what, thing(room, what).at.with(axis, value), thing(room, what).heading),
       there,
     );
-  const heading = amount({
-    label: t("turnedDegrees"),
-    ...DEGREES,
-    limits: () => [-Math.PI, Math.PI],
-    changed: (value) => change(turned(current(), what, value)),
-  });
-  return [at(0, "fromLeft"), at(1, "fromNear"), row(heading, (room) => thing(room, what).heading, there)];
+  return [
+    at(0, "fromLeft", "width"),
+    at(1, "fromNear", "length"),
+    numberRow(
+      "turnedDegrees",
+      DEGREES,
+      () => [-Math.PI, Math.PI],
+      (room) => thing(room, what).heading,
+      (room, value) => turned(room, what, value),
+      there,
+    ),
+  ];
 }
 
-/** A number of its own of something, which is set by a function. */
-function own(
-  what,
-  key,
-  label,
-  as,
-  set = (room, value) => sized(room, what, { [key]: value }),
-  limits = () => limitsOf(`${what.table}.${key}`),
-) {
-  return (there) =>
-    row(
-      amount({ label: t(label), ...as, limits, changed: (value) => change(set(current(), value)) }),
-      (room) => thing(room, what)[key],
-      there,
-    );
+/** A number of its own of something. */
+function own(what, key, label, as, { set, limits, there } = {}) {
+  return numberRow(
+    label,
+    as,
+    limits ?? (() => limitsOf(`${what.table}.${key}`)),
+    (room) => thing(room, what)[key],
+    set ?? ((room, value) => given(room, what, { [key]: value })),
+    there,
+  );
 }
+
+/** A side of something, which stays where it stands. */
+const side = (what, key, label, there) =>
+  own(what, key, label, CENTIMETRES, { set: (room, value) => sized(room, what, { [key]: value }), there });
 
 function pieceRows(what) {
-  const piece = () => current().furniture[what.index],
-    alone = (room) => carrier(room, what.index) === null,
-    against = (room) => Boolean(room.furniture[what.index].against),
-    box = (room) => pieceSizes(room.furniture[what.index]).box;
-  const wall = choice({
-    label: t("standsAt"),
-    options: [{ id: "", label: t("freely") }, ...WALLS.map((id) => ({ id, label: t(id) }))],
-    changed: (id) => {
-      const { at, heading } = thing(current(), what);
-      change(
-        id
-          ? atWall(current(), what, id, fromWall(current().plan, id, at)[0])
-          : placed(current(), what, at, heading),
-      );
-    },
-  });
-  const along = amount({
-    label: t("alongWall"),
-    ...METRES,
-    limits: () => (piece().against ? [0, wallLength(current().plan, piece().against)] : [0, 0]),
-    changed: (value) => change(atWall(current(), what, piece().against, value)),
-  });
-  const gap = amount({
-    label: t("gap"),
-    ...CENTIMETRES,
-    limits: () => [0, Math.max(current().plan.width, current().plan.length)],
-    changed: (value) => change(given(current(), what, { gap: value })),
-  });
+  const pieceOf = (room) => room.furniture[what.index],
+    against = (room) => Boolean(pieceOf(room).against),
+    free = (room) => !against(room),
+    box = (room) => pieceSizes(pieceOf(room)).box;
+  const toWall = (room, id) => {
+    const { at, heading } = thing(room, what);
+    return id ? atWall(room, what, id, fromWall(room.plan, id, at)[0]) : placed(room, what, at, heading);
+  };
+  const alongLimits = () => {
+    const { against: wall } = pieceOf(current());
+    return [0, wall ? wallLength(current().plan, wall) : 0];
+  };
   const filling = oneOf({
     label: t("filling"),
     options: ["full", "empty"].map((id) => ({ id, label: t(`filling_${id}`) })),
-    changed: (id) => change(given(current(), what, { mass: fillings(piece())[id] })),
+    changed: (id) => change(given(current(), what, { mass: fillings(pieceOf(current()))[id] })),
   });
   const filled = (room) => {
-    const masses = fillings(room.furniture[what.index]);
+    const masses = fillings(pieceOf(room));
     return Object.keys(masses).find((id) => masses[id] === thing(room, what).mass) ?? null;
   };
-  const base = choice({
-    label: t("base"),
-    options: choicesOf("furniture.base").map((id) => ({ id, label: choiceLabel(id) })),
-    changed: (id) => change(given(current(), what, { base: id })),
-  });
-  const size = (key, label) => own(what, key, label, CENTIMETRES)(box);
   return [
-    row(wall, (room) => room.furniture[what.index].against ?? "", alone),
-    row(along, (room) => room.furniture[what.index].along, against),
-    row(gap, (room) => room.furniture[what.index].gap ?? DEFAULTS.furniture.gap, against),
-    ...freeRows(what, standsFree(what)),
-    size("height", "height"),
-    size("width", "pieceDepth"),
-    size("length", "pieceLength"),
-    own(what, "mass", "mass", { unit: "kg", decimals: 1 }, (room, value) =>
-      given(room, what, { mass: value }),
-    )(box),
-    row(base, (room) => baseOf(room.furniture[what.index])),
-    row(filling, filled, (room) => fillings(room.furniture[what.index]) !== null),
+    choiceRow(
+      "standsAt",
+      [{ id: "", label: t("freely") }, ...wallOptions()],
+      (room) => pieceOf(room).against ?? "",
+      toWall,
+      (room) => carrier(room, what.index) === null,
+    ),
+    numberRow(
+      "alongWall",
+      METRES,
+      alongLimits,
+      (room) => pieceOf(room).along,
+      (room, value) => atWall(room, what, pieceOf(room).against, value),
+      against,
+    ),
+    numberRow(
+      "gap",
+      CENTIMETRES,
+      () => [0, Math.max(current().plan.width, current().plan.length)],
+      (room) => pieceOf(room).gap ?? DEFAULTS.furniture.gap,
+      (room, value) => given(room, what, { gap: value }),
+      against,
+    ),
+    ...freeRows(what, free),
+    side(what, "height", "height", box),
+    side(what, "width", "pieceDepth", box),
+    side(what, "length", "pieceLength", box),
+    own(what, "mass", "mass", { unit: "kg", decimals: 1 }, { there: box }),
+    choiceRow(
+      "base",
+      choicesOf("furniture.base").map((id) => ({ id, label: choiceLabel(id) })),
+      (room) => baseOf(pieceOf(room)),
+      (room, id) => given(room, what, { base: id }),
+    ),
+    row(filling, filled, (room) => fillings(pieceOf(room)) !== null),
     measuresOf(what),
   ];
 }
 
 function placeRows(what) {
-  const heights = {
-    low: () => [limitsOf("places.low")[0], thing(current(), what).high - 0.01],
-    high: () => [thing(current(), what).low + 0.01, limitsOf("places.high")[1]],
-  };
-  const set = (key) => (room, value) => given(room, what, { [key]: value });
+  const low = () => [limitsOf("places.low")[0], thing(current(), what).high - 0.01],
+    high = () => [thing(current(), what).low + 0.01, limitsOf("places.high")[1]];
   return [
     ...freeRows(what),
-    own(what, "width", "placeWidth", CENTIMETRES)(),
-    own(what, "length", "placeLength", CENTIMETRES)(),
-    own(what, "low", "personLow", CENTIMETRES, set("low"), heights.low)(),
-    own(what, "high", "personHigh", CENTIMETRES, set("high"), heights.high)(),
-    own(what, "day", "byDay", PER_CENT, set("day"))(),
-    own(what, "night", "atNight", PER_CENT, set("night"))(),
+    side(what, "width", "placeWidth"),
+    side(what, "length", "placeLength"),
+    own(what, "low", "personLow", CENTIMETRES, { limits: low }),
+    own(what, "high", "personHigh", CENTIMETRES, { limits: high }),
+    own(what, "day", "byDay", PER_CENT),
+    own(what, "night", "atNight", PER_CENT),
   ];
 }
 
 function openingRows(what) {
-  const set = (key) => (value) => change(given(current(), what, { [key]: value }));
-  const select = (key, ids, label) =>
-    choice({
-      label: t(label),
-      options: ids.map((id) => ({ id, label: t(key === "wall" ? id : `${key}_${id}`) })),
-      changed: set(key),
-    });
-  const wall = choice({
-    label: t("inWhichWall"),
-    options: WALLS.map((id) => ({ id, label: t(id) })),
-    changed: (id) => change(inWall(current(), what, id, opening(current(), what).start)),
-  });
-  const of = (key) => (room) => opening(room, what)[key],
-    swings = (room) => opening(room, what).opens !== "sliding",
-    side = () => wallLength(current().plan, opening(current(), what).wall);
-  const start = (room, value) => inWall(room, what, opening(room, what).wall, value);
+  const of = (room) => opening(room, what),
+    space = () => wallLength(current().plan, of(current()).wall);
+  const select = (label, key, ids, there) =>
+    choiceRow(
+      label,
+      ids.map((id) => ({ id, label: t(`${key}_${id}`) })),
+      (room) => of(room)[key],
+      (room, id) => given(room, what, { [key]: id }),
+      there,
+    );
+  const widths = () => {
+    const [low, high] = limitsOf(`${what.table}.width`);
+    return [low, Math.min(high, space() - of(current()).start)];
+  };
   const rest = [
-    row(wall, of("wall")),
-    own(what, "start", "startsAt", METRES, start, () => [
-      0,
-      Math.max(0, side() - opening(current(), what).width),
-    ])(),
-    own(
-      what,
-      "width",
-      "clearWidth",
-      CENTIMETRES,
-      (room, value) => given(room, what, { width: value }),
-      () => {
-        const [low, high] = limitsOf(`${what.table}.width`);
-        return [low, Math.min(high, side() - opening(current(), what).start)];
-      },
-    )(),
+    choiceRow("inWhichWall", wallOptions(), (room) => of(room).wall, (room, id) => inWall(room, what, id, of(room).start)),
+    own(what, "start", "startsAt", METRES, {
+      set: (room, value) => inWall(room, what, of(room).wall, value),
+      limits: () => [0, Math.max(0, space() - of(current()).width)],
+    }),
+    own(what, "width", "clearWidth", CENTIMETRES, { limits: widths }),
   ];
-  if (what.table === "windows")
-    return [
-      ...rest,
-      own(what, "sill", "sill", CENTIMETRES, (room, value) => given(room, what, { sill: value }))(),
-    ];
-  const out = toggle({ label: t("wayOut"), changed: set("way_out") });
+  if (what.table === "windows") return [...rest, own(what, "sill", "sill", CENTIMETRES)];
+  const out = toggle({ label: t("wayOut"), changed: (on) => change(given(current(), what, { way_out: on })) });
   return [
     ...rest,
-    row(select("opens", OPENS, "howOpens"), of("opens")),
-    row(select("hinge", HINGES, "hingeAt"), of("hinge"), swings),
-    row(out, of("way_out")),
+    select("howOpens", "opens", OPENS),
+    select("hingeAt", "hinge", HINGES, (room) => of(room).opens !== "sliding"),
+    row(out, (room) => of(room).way_out),
   ];
 }
 

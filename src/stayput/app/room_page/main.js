@@ -5,6 +5,7 @@ import { beforeNextFrame } from "../canvas/clock.js";
 import { readInks } from "../canvas/pen.js";
 import { patiently } from "../connection.js";
 import { el, fill, part } from "../dom.js";
+import { showLink } from "../films.js";
 import * as building from "../panel_building.js";
 import * as shaking from "../panel_shaking.js";
 import { worded } from "../refusals.js";
@@ -63,7 +64,7 @@ function again() {
   readInks();
   for (const panel of PANELS) panel.build(presets);
   upload.again();
-  editor.translate();
+  editor.build();
   theatre.again(presets);
   verdict.build();
   files.build();
@@ -128,7 +129,7 @@ function wire() {
 }
 
 async function begin() {
-  await screens.begin("scene");
+  screens.begin("scene");
   readInks();
   screens.wire(() => presets && again());
   try {
@@ -138,20 +139,14 @@ async function begin() {
     presets = await patiently(api.presets);
     fill(part("verdict"));
   }
-  editor.build(part("editor"), presets);
+  editor.wire(presets);
   room.replace(await take(location.hash));
   undoMemory.wire();
   for (const panel of PANELS) panel.build(presets);
   wire();
   environment.wire(presets, lost);
   again();
-  address.wire((long, missing) => {
-    part("link-record").hidden = missing === null;
-    part("link-record").textContent = missing === null ? "" : t("linkRecord", { name: missing });
-    part("link").hidden = long;
-    part("link-long").hidden = !long;
-    part("address").value = location.href;
-  });
+  address.wire(showLink);
   changed();
   document.documentElement.dataset.ready = "true";
 }

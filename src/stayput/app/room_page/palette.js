@@ -5,10 +5,10 @@ import { t } from "../words.js";
 import { described } from "./described.js";
 import { newThing, withNew } from "./edits.js";
 import { added } from "./free_spot.js";
-import { rectangle, thing } from "./geometry.js";
+import { thing } from "./geometry.js";
 import { furnitureKinds, kindName, labelOf, placeKinds } from "./kinds.js";
 import { change, current, select } from "./room.js";
-import { doorShapes, pieceShapes, placeShapes, windowShapes } from "./shapes.js";
+import { shapes } from "./plan.js";
 import { dragged } from "./snap.js";
 import { focusOn, plan, pointOf, say, show, showCurrent, shownRoom } from "./view.js";
 
@@ -129,26 +129,7 @@ function picture(table, id) {
   const middle = opens ? [0.2 + at.width / 2, 2 - (table === "doors" ? at.width / 2 : 0)] : [1, 1];
   const place = ([x, y]) => [PICTURE / 2 + scale * (x - middle[0]), PICTURE / 2 - scale * (y - middle[1])];
   const sheet = { scale, place, atWall: (_, along, into = 0) => place([along, 2 - into]) };
-  const shapes = {
-    furniture: () =>
-      pieceShapes(
-        sheet,
-        { ...at, outline: rectangle([1, 1], at.width, at.length, 0) },
-        furnitureKinds().findIndex((kind) => kind.id === id) % 7,
-      ),
-    places: () => placeShapes(sheet, at, id),
-    doors: () => doorShapes(sheet, at),
-    windows: () => windowShapes(sheet, at),
-  }[table]();
-  return svg(
-    "svg",
-    {
-      class: "plan-room",
-      viewBox: `0 0 ${PICTURE} ${PICTURE}`,
-      width: PICTURE,
-      height: PICTURE,
-      "aria-hidden": "true",
-    },
-    ...shapes,
-  );
+  const hue = furnitureKinds().findIndex((kind) => kind.id === id),
+    box = { viewBox: `0 0 ${PICTURE} ${PICTURE}`, width: PICTURE, height: PICTURE };
+  return svg("svg", { class: "plan-room", "aria-hidden": "true", ...box }, ...shapes(sheet, one, what, hue));
 }

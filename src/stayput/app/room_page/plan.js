@@ -7,7 +7,7 @@ import { extents, onWall, thing, things } from "./geometry.js";
 import { DEFAULTS, TABLES, nameOf } from "./kinds.js";
 import { nameTexts } from "./labels.js";
 import { LAYERS, hueOf, inOrderOf, notes, shareOf, telling, zones } from "./layers.js";
-import { doorShapes, feltAt, pieceShapes, placeShapes, windowShapes } from "./shapes.js";
+import { doorShapes, feltAt, inWall, pieceShapes, placeShapes, windowShapes } from "./shapes.js";
 import { WALL, path, sheetFor } from "./sheet.js";
 
 const HIGH = 460; // of a picture where nothing else is said [px]
@@ -118,21 +118,14 @@ function operable(group, room, what, chosen) {
 function ground(sheet) {
   const [x0, y0, x1, y1] = sheet.floor;
   const box = (far, name) =>
-    svg("path", {
-      class: name,
-      d: path([
-        [x0 - far, y0 - far],
-        [x1 + far, y0 - far],
-        [x1 + far, y1 + far],
-        [x0 - far, y1 + far],
-      ]),
-    });
+    svg("rect", { class: name, x: x0 - far, y: y0 - far, width: x1 - x0 + 2 * far, height: y1 - y0 + 2 * far });
   return [box(WALL, "walls"), box(0, "ground")];
 }
 
-function shapes(sheet, room, what) {
+/** What a thing looks like. */
+export function shapes(sheet, room, what, hue = what.index) {
   const one = thing(room, what);
-  if (what.table === "furniture") return pieceShapes(sheet, one, hueOf(what.index));
+  if (what.table === "furniture") return pieceShapes(sheet, one, hueOf(hue));
   if (what.table === "places")
     return placeShapes(sheet, one, room.places[what.index].kind ?? DEFAULTS.places.kind);
   return what.table === "doors" ? doorShapes(sheet, one) : windowShapes(sheet, one);
@@ -149,10 +142,7 @@ function mark(sheet, room, what, result, shown) {
       d: path(one.outline.map(sheet.place)),
       "stroke-width": (2 + 6 * share).toFixed(1),
     });
-  const ends = [one.start, one.start + one.width].map((along) =>
-    sheet.atWall(one.wall, along, -WALL / 2 / sheet.scale),
-  );
-  return svg("path", { class: "blocked", d: path(ends, false) });
+  return inWall(sheet, "blocked", one.wall, [one.start, one.start + one.width], 0.5);
 }
 
 function boxOf(sheet, room, what) {

@@ -4,8 +4,10 @@ import { svg } from "../dom.js";
 import { inFrame, rectangle } from "./geometry.js";
 import { WALL, path } from "./sheet.js";
 
-const shape = (sheet, points, name, closed = true) =>
-  svg("path", { class: name, d: path(points.map(sheet.place), closed) });
+/** A path through points [px], or around them. */
+export const drawn = (name, points, closed = false) => svg("path", { class: name, d: path(points, closed) });
+
+const shape = (sheet, points, name, closed = true) => drawn(name, points.map(sheet.place), closed);
 
 /** A piece: its outline and, at its front, a thick side. */
 export function pieceShapes(sheet, one, hue) {
@@ -22,12 +24,7 @@ export function pieceShapes(sheet, one, hue) {
 export function placeShapes(sheet, one, kind) {
   const { width, length, at, heading, blocks } = one;
   const inside = (INSIDE[kind] ?? (() => []))(width, length).map(({ points, name }) =>
-    shape(
-      sheet,
-      points.map((point) => inFrame(at, heading, point)),
-      name,
-      name !== "fold",
-    ),
+    drawn(name, points.map((point) => sheet.place(inFrame(at, heading, point))), name !== "fold"),
   );
   return [shape(sheet, one.outline, blocks ? "place" : "place flat"), ...inside];
 }
@@ -79,30 +76,20 @@ const INSIDE = { bed, futon: bed, cot, desk, sofa, "play area": ball };
 
 /** A window: an opening with a pane in it. */
 export function windowShapes(sheet, { wall, start, width }) {
-  const panes = [0.1, 0.5, 0.9].map((part) => {
-    const ends = [start, start + width].map((along) =>
-      sheet.atWall(wall, along, (-part * WALL) / sheet.scale),
-    );
-    return svg("path", { class: "pane", d: path(ends, false) });
-  });
+  const panes = [0.1, 0.5, 0.9].map((part) => inWall(sheet, "pane", wall, [start, start + width], part));
   return [hole(sheet, wall, start, width), ...panes];
 }
 
-function hole(sheet, wall, start, width) {
-  const deep = -WALL / sheet.scale;
-  return svg("path", { class: "ground", d: strip(sheet, wall, [start, start + width], [0, deep]) });
-}
+/** A line within a wall, between two distances along it, at so large a part of its thickness. */
+export const inWall = (sheet, name, wall, ends, part) =>
+  drawn(name, ends.map((along) => sheet.atWall(wall, along, (-part * WALL) / sheet.scale)));
 
-/** The path around a part of a wall, from one distance along it and into the room to the other. */
-function strip(sheet, wall, [low, high], [near, far]) {
-  const corners = [
-    [low, near],
-    [high, near],
-    [high, far],
-    [low, far],
-  ];
-  return path(corners.map(([along, into]) => sheet.atWall(wall, along, into)));
-}
+const hole = (sheet, wall, start, width) =>
+  drawn("ground", strip(sheet, wall, [start, start + width], [0, -WALL / sheet.scale]), true);
+
+/** The corners of a part of a wall, from one distance along it and into the room to the other. */
+const strip = (sheet, wall, [low, high], [near, far]) =>
+  [[low, near], [high, near], [high, far], [low, far]].map((corner) => sheet.atWall(wall, ...corner));
 
 /** A door: its leaf where it stands open, and the arc of its edge; two panels of a sliding one. */
 export function doorShapes(sheet, door) {
@@ -115,14 +102,10 @@ export function doorShapes(sheet, door) {
 
 function panels(sheet, { wall, start, width }) {
   const part = 0.55 * width;
-  const ends = [
-    [start, start + part, 0.3],
-    [start + width - part, start + width, 0.7],
+  return [
+    inWall(sheet, "leaf", wall, [start, start + part], 0.3),
+    inWall(sheet, "leaf", wall, [start + width - part, start + width], 0.7),
   ];
-  return ends.map(([low, high, deep]) => {
-    const points = [low, high].map((along) => sheet.atWall(wall, along, (-deep * WALL) / sheet.scale));
-    return svg("path", { class: "leaf", d: path(points, false) });
-  });
 }
 
 const ARC = 24,
@@ -133,7 +116,7 @@ export function feltAt(sheet, one) {
   const far = FELT / sheet.scale,
     middle = -WALL / 2 / sheet.scale,
     ends = [one.start - far, one.start + one.width + far],
-    around = strip(sheet, one.wall, ends, [middle - far, middle + far]);
+    around = path(strip(sheet, one.wall, ends, [middle - far, middle + far]));
   if (!one.hinge || one.opens === "sliding") return around;
   const { at, edge } = swing(sheet, one);
   return around + path([at, ...edge]);
@@ -155,8 +138,5 @@ export function swing(sheet, { wall, start, width, hinge, opens }) {
 
 function leaf(sheet, door) {
   const { at, edge } = swing(sheet, door);
-  return [
-    svg("path", { class: "swing", d: path(edge, false) }),
-    svg("path", { class: "leaf", d: path([at, edge.at(-1)], false) }),
-  ];
+  return [drawn("swing", edge), drawn("leaf", [at, edge.at(-1)])];
 }

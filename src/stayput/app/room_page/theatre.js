@@ -2,13 +2,14 @@
 
 import * as api from "../api.js";
 import { patiently, whyLong } from "../connection.js";
-import { el, fill, narrow, part, settled } from "../dom.js";
+import { fill, narrow, part, settled } from "../dom.js";
 import { worded } from "../refusals.js";
 import { shake, shownSpan, telling } from "../runs.js";
 import { strengthOf } from "../panel_shaking.js";
 import * as stages from "../stages.js";
+import { fate } from "../story.js";
 import * as transport from "../transport.js";
-import { both, length, number, percent, t } from "../words.js";
+import { both, length, percent, t } from "../words.js";
 import { kindName } from "./kinds.js";
 import * as room from "./room.js";
 
@@ -176,17 +177,13 @@ function display() {
   part("space").setAttribute("aria-label", both(run.sentence));
   fill(
     part("fates"),
-    run.pieces.map((one, i) => fate(one, run.scene.bodies[i].colour)),
+    run.pieces.map((one, i) => {
+      const standing = t("slidBy", { slide: length(one.peak_slide_m ?? 0) }),
+        { colour } = run.scene.bodies[i];
+      return fate(one, { name: kindName("furniture", one.name), colour, outcomes, standing });
+    }),
   );
   compare();
   clock.span(0, end, telling(run));
   clock.redraw();
-}
-
-function fate({ name, outcome, fall_time_s: fell, overturn_time_s: lay, peak_slide_m: slide }, colour) {
-  const chip = el("span", { class: "chip" }),
-    time = fell ?? lay;
-  chip.style.background = colour;
-  const told = [outcomes[outcome], time === null ? t("slidBy", { slide: length(slide ?? 0) }) : `${number(time, 1)}\u00a0s`];
-  return el("li", {}, chip, el("span", { text: `${kindName("furniture", name)}${t("colon")}${told.join(t("listed"))}` }));
 }

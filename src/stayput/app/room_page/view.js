@@ -10,8 +10,8 @@ const HIGHEST = 760, // of the plan [px]
   LOWEST = 280,
   AROUND = 250; // what stands above and below it
 
-let element = null,
-  sheet = null,
+const element = part("plan");
+let sheet = null,
   tried = null,
   guides = [],
   origin = [0, 0], // of the tried room in the one that is held [m]
@@ -20,11 +20,6 @@ let element = null,
   refused = null,
   layers = [...LAYERS];
 const listeners = [];
-
-/** Draws from now on into this <svg>. */
-export function drawInto(svgElement) {
-  element = svgElement;
-}
 
 export const plan = () => element;
 export const sheetNow = () => sheet;
@@ -56,16 +51,13 @@ export function showResult(result) {
   draw();
 }
 
-export const resultShown = () => verdict;
-
 /** Marks what the server refuses, by {table, index}, or nothing. */
 export function markRefused(what) {
   refused = what;
   draw();
 }
 
-/** Which layers of a verdict are drawn. */
-export const layersShown = () => layers;
+/** Draws a layer of verdicts, or leaves it out. */
 export function showLayer(name, on) {
   layers = LAYERS.filter((one) => (one === name ? on : layers.includes(one)));
   draw();
@@ -74,7 +66,7 @@ export function showLayer(name, on) {
 /** Draws the plan. */
 export function draw() {
   const room = shownRoom();
-  if (!element || !room) return;
+  if (!room) return;
   const found = [...clashes(room), ...obstructed(room)],
     wrong = found.flatMap((one) => [one.what, one.other]).filter(Boolean);
   if (refused) wrong.push(refused);

@@ -13,45 +13,21 @@ A branch ends where one of its *margins*, which are positive within it, falls be
 neighbouring branches have opposite signs in the same state, so a line cannot alternate between them without
 moving. On SLIP p is updated only at its end: until then the elongation is measured from where the slip began.
 
-On a branch force and margins are linear, so the law is the numbers of a `Branch`, which hold to the next
-event: F = F₀ + k e + c ė, or where the line slips by friction, a multiple of the normal line's push. The
+On a branch force and margins are linear, so the law is the numbers of a `columns.LAW`, which hold to the
+next event: F = F₀ + k e + c ė, or where the line slips by friction, a multiple of the normal line's push. The
 margins are: of an ELASTIC line, linear in F; of a SLACK line, the distance of its spring from pulling or
 pushing; of a YIELDING line, unloading and the elongation left to rupture; of a FRICTION line, whether it
 keeps slipping, and the slip left until it is lost: a friction line with an ultimate elongation is lost where
 its slip |p| from where it was at first reaches it, whatever it slipped to and fro.
 """
 
-from __future__ import annotations
-
 import math
-from typing import NamedTuple
 
 from stayput.compiling import inline, inner
 from stayput.mechanics.devices import columns as col
 
 SLIP_RATE_TIME = 1e-3
 """Time constant that turns a slip rate into a force margin where there is no damper [s]."""
-
-
-class Branch(NamedTuple):
-    """The law of a line on its branch; the rows of `columns.LINE` have these fields too."""
-
-    state: int
-    constant: float
-    k: float
-    c: float
-    per_push: float
-    stiffness: float
-    damping: float
-    low_at_0: float
-    low_per_force: float
-    low_per_push: float
-    high_at_0: float
-    high_per_force: float
-    high_per_push: float
-    bears_friction: int
-    per_plus: float
-    per_minus: float
 
 
 @inline
@@ -80,61 +56,48 @@ def elastic_elongation(el, link, i, e):
 
 
 @inner
-def branch_of(el, link, i):
-    """Return the `Branch` of a line."""
+def set_law(line, el, link, i):
+    """Set the law of a line on its branch, in a `columns.LAW` or in a row of `columns.LINE`."""
     branch = link.branch[i]
-    k, c = el.stiffness[i], el.damping[i]
-    bears = 1 if i == col.NORMAL and branch in (col.MINUS, col.BOND, col.SLIP_MINUS) else 0
-    per_plus = per_minus = 0.0
+    k = el.stiffness[i]
+    line.stiffness, line.damping = k, el.damping[i]
+    bears = i == col.NORMAL and branch in (col.MINUS, col.BOND, col.SLIP_MINUS)
+    line.bears_friction = 1 if bears else 0
+    line.per_plus = line.per_minus = 0.0
     if el.interaction != 0:
-        per_plus = 1.0 / el.limit_plus[i]
-        per_minus = 0.0 if i == col.NORMAL else 1.0 / el.limit_minus[i]
+        line.per_plus = 1.0 / el.limit_plus[i]
+        line.per_minus = 0.0 if i == col.NORMAL else 1.0 / el.limit_minus[i]
     # on SLACK, and where one of these means nothing
-    state, constant, own_k, own_c, per_push = col.SLACK, 0.0, 0.0, 0.0, 0.0
-    low_at_0 = k * (link.plastic[i] - el.slack_minus[i])
-    high_at_0 = k * (link.plastic[i] + el.slack_plus[i])
-    low_per_force = high_per_force = low_per_push = high_per_push = 0.0
+    line.state = col.SLACK
+    line.constant = line.k = line.c = line.per_push = 0.0
+    line.low_at_0 = k * (link.plastic[i] - el.slack_minus[i])
+    line.high_at_0 = k * (link.plastic[i] + el.slack_plus[i])
+    line.low_per_force = line.high_per_force = line.low_per_push = line.high_per_push = 0.0
     if branch in (col.SLIP_PLUS, col.SLIP_MINUS):
         plus = branch == col.SLIP_PLUS
-        low_per_force = 1.0 if plus else -1.0
+        side = 1.0 if plus else -1.0
+        line.low_per_force = side
         if slips_by_friction(el, i):
-            state, per_push, low_per_push = col.FRICTION, low_per_force * el.friction, el.friction
-            low_at_0 = low_per_force * k * elastic_elongation(el, link, i, 0.0)
-            left = el.ultimate[i] - low_per_force * link.plastic[i]
-            high_at_0 = k * left if el.ultimate[i] > 0.0 else math.inf
+            line.state, line.per_push, line.low_per_push = col.FRICTION, side * el.friction, el.friction
+            line.low_at_0 = side * k * elastic_elongation(el, link, i, 0.0)
+            left = el.ultimate[i] - side * link.plastic[i]
+            line.high_at_0 = k * left if el.ultimate[i] > 0.0 else math.inf
         else:
             most = limit(el, i, plus, 0.0)
-            state, constant = col.YIELDING, low_per_force * most
-            low_at_0 = low_per_force * k * elastic_elongation(el, link, i, 0.0) - most
-            high_at_0 = k * (el.ultimate[i] - link.plastic_sum[i])
+            line.state, line.constant = col.YIELDING, side * most
+            line.low_at_0 = side * k * elastic_elongation(el, link, i, 0.0) - most
+            line.high_at_0 = k * (el.ultimate[i] - link.plastic_sum[i])
     elif branch != col.OPEN:
-        state, own_k, own_c = col.ELASTIC, k, c
-        constant = k * elastic_elongation(el, link, i, 0.0)
-        low_at_0, low_per_force, high_per_force = 0.0, 1.0, -1.0
-        high_at_0 = limit(el, i, branch != col.MINUS, 0.0)
-        high_per_push = el.friction if slips_by_friction(el, i) else 0.0
+        line.state, line.k, line.c = col.ELASTIC, k, el.damping[i]
+        line.constant = k * elastic_elongation(el, link, i, 0.0)
+        line.low_at_0, line.low_per_force, line.high_per_force = 0.0, 1.0, -1.0
+        line.high_at_0 = limit(el, i, branch != col.MINUS, 0.0)
+        if slips_by_friction(el, i):
+            line.high_per_push = el.friction
         if branch == col.BOND:
-            low_at_0, low_per_push = limit(el, i, False, 0.0), high_per_push
+            line.low_at_0, line.low_per_push = limit(el, i, False, 0.0), line.high_per_push
         elif branch == col.MINUS:
-            low_per_force, high_per_force = -1.0, 1.0
-    return Branch(
-        state,
-        constant,
-        own_k,
-        own_c,
-        per_push,
-        k,
-        c,
-        low_at_0,
-        low_per_force,
-        low_per_push,
-        high_at_0,
-        high_per_force,
-        high_per_push,
-        bears,
-        per_plus,
-        per_minus,
-    )
+            line.low_per_force, line.high_per_force = -1.0, 1.0
 
 
 @inline
@@ -252,7 +215,8 @@ def fail(link, device, why, time):
 @inner
 def _margins(el, link, i):
     """Event margins of a line in the state last evaluated."""
-    line = branch_of(el, link, i)
+    line = link.law[i]
+    set_law(line, el, link, i)
     F = force_of(line, link.e[i], link.rate[i], link.push)
     return margins_of(line, link.e[i], link.rate[i], F, link.push, link.push_rate)
 
@@ -299,7 +263,8 @@ def _update_line(el, link, device, i, time):
         link.branch[i] = col.OPEN
     if link.branch[i] == col.OPEN:
         return
-    F = force_of(branch_of(el, link, i), link.e[i], link.rate[i], link.push)
+    set_law(link.law[i], el, link, i)
+    F = force_of(link.law[i], link.e[i], link.rate[i], link.push)
     if limit(el, i, True, link.push) < F:
         _reach_limit(el, link, device, i, True, time)
     elif limit(el, i, False, link.push) < -F:
@@ -314,7 +279,8 @@ def update_element(el, link, device, time):
     while i < link.lines:
         _update_line(el, link, device, i, time)
         if i < link.lines:
-            line = branch_of(el, link, i)
+            line = link.law[i]
+            set_law(line, el, link, i)
             F = link.force[i] = force_of(line, link.e[i], link.rate[i], link.push)
             if i == col.NORMAL:
                 link.push, link.push_rate = push_of(line, F, link.rate[i])

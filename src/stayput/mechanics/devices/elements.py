@@ -6,29 +6,18 @@ in it; the element forces are constant at rest. The facets of the cone are linea
 which rest ends is exact, and blocks of the record can be skipped.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner
 from stayput.mechanics.columns import PLANE
-from stayput.mechanics.devices.columns import (
-    AXIAL,
-    F_NORMAL,
-    F_TANGENT,
-    HOLDS,
-    MAX_FACETS,
-    NONE,
-    NORMAL,
-    TANGENT,
-)
+from stayput.mechanics.devices import columns as col
 from stayput.mechanics.devices.device_law import (
-    branch_of,
     clipped,
     force_of,
     note_force,
     push_of,
     reset_branch,
+    set_law,
     update_element,
 )
 from stayput.mechanics.elementary import sine_and_cosine
@@ -50,17 +39,17 @@ def set_up_elements(elements, links, devices, case, s):
         for i in range(2):
             reset_branch(el, link, i)
             device.plastic[i] = 0.0
-        if el.kind != NONE:
-            link.lines = 1 if el.kind == AXIAL or el.stiffness[TANGENT] == 0.0 else 2
+        if el.kind != col.NONE:
+            link.lines = 1 if el.kind == col.AXIAL or el.stiffness[col.TANGENT] == 0.0 else 2
         link.push = link.push_rate = 0.0
         device.peak_pull = device.peak_push = device.peak_shear = 0.0
-        device.failure, device.failure_time = HOLDS, math.nan
+        device.failure, device.failure_time = col.HOLDS, math.nan
 
 
 @inline
 def _along_normal(el, dx, dz):
     """Unit vector and elongation of the normal line [m]."""
-    if el.kind != AXIAL:
+    if el.kind != col.AXIAL:
         return -el.sin, el.cos, el.cos * dz - el.sin * dx
     far = math.sqrt(dx * dx + dz * dz)
     if far == 0.0:
@@ -84,15 +73,17 @@ def evaluate_elements(elements, links, sin, cos, x, z, vx, vz, omega):
         wx, wz = vx + omega * up, vz - omega * right
         nx, nz, e = _along_normal(el, dx, dz)
         rate = nx * wx + nz * wz
-        line = branch_of(el, link, NORMAL)
+        line = link.law[col.NORMAL]
+        set_law(line, el, link, col.NORMAL)
         F = force_of(line, e, rate, 0.0)
-        link.e[NORMAL], link.rate[NORMAL], link.force[NORMAL] = e, rate, F
+        link.e[col.NORMAL], link.rate[col.NORMAL], link.force[col.NORMAL] = e, rate, F
         px, pz = -F * nx, -F * nz
         if link.lines == 2:
             push, push_rate = push_of(line, F, rate)
             e, rate = el.cos * dx + el.sin * dz, el.cos * wx + el.sin * wz
-            F = force_of(branch_of(el, link, TANGENT), e, rate, push)
-            link.e[TANGENT], link.rate[TANGENT], link.force[TANGENT] = e, rate, F
+            set_law(link.law[col.TANGENT], el, link, col.TANGENT)
+            F = force_of(link.law[col.TANGENT], e, rate, push)
+            link.e[col.TANGENT], link.rate[col.TANGENT], link.force[col.TANGENT] = e, rate, F
             link.push, link.push_rate = push, push_rate
             px, pz = px - F * el.cos, pz - F * el.sin
         fx, fz, fl = fx + px, fz + pz, fl + (px * up - pz * right)
@@ -124,8 +115,8 @@ def note_forces(elements, links, devices):
     for n in range(devices.shape[0]):
         link = links[n]
         for i in range(link.lines):
-            line = branch_of(elements[n], link, i)
-            note_force(devices[n], i, clipped(line, link.force[i], link.push))
+            set_law(link.law[i], elements[n], link, i)
+            note_force(devices[n], i, clipped(link.law[i], link.force[i], link.push))
 
 
 @inner
@@ -134,7 +125,8 @@ def note_forces_of_links(forces, links, s):
     if forces.shape[0] == 0:
         return
     for n in range(forces.shape[1]):
-        forces[s.k, n, F_NORMAL], forces[s.k, n, F_TANGENT] = links[n].force[NORMAL], links[n].force[TANGENT]
+        for i in range(col.FORCES):
+            forces[s.k, n, i] = links[n].force[i]
 
 
 PARALLEL_SINE = 1e-9
@@ -181,11 +173,10 @@ def _add_facet(work, n, root, slack):
     """Add a facet, unless it exists or there is no room; `add_wrench` adds the elements' force later."""
     c0, c1, c2 = slack, n[0], n[1]
     c3 = n[2] / root
-    for k in range(work.facets):
-        f = work.facet[k]
+    for f in work.facet[: work.facets]:
         if abs(f[1] - c1) + abs(f[2] - c2) + abs(f[3] - c3) < 1e-9:
             return
-    if work.facets < MAX_FACETS:
+    if work.facets < col.MAX_FACETS:
         f = work.facet[work.facets]
         f[0], f[1], f[2], f[3] = c0, c1, c2, c3
         work.facets += 1
@@ -237,8 +228,7 @@ def _add_end_facets(rows, first, count, lifted, normal, root, work):
 def load_within_facets(work, a, G, wrench):
     """Whether the load, with the elements' wrench, is inside all facets."""
     fx, fz, fl = wrench
-    for k in range(work.facets):
-        f = work.facet[k]
+    for f in work.facet[: work.facets]:
         if f[0] + f[1] * (a - fx) + f[2] * (G - fz) - f[3] * fl < 0.0:
             return False
     return True
@@ -264,8 +254,7 @@ def add_floor_limits(rows, count, lifted, a, G, wrench, I, work, spare):
         _add_facet(work, (size * tl, size * nl, -size), 1.0, 0.0)
     elif on_floor == 2 and count > 2:
         cone_facets(rows, 0, 2, -1, I, spare)
-        for k in range(spare.facets):
-            f = spare.facet[k]
+        for f in spare.facet[: spare.facets]:
             if f[0] + f[1] * (a - fx) + f[2] * (G - fz) - f[3] * fl >= 0.0:
                 _add_facet(work, (f[1], f[2], f[3]), 1.0, f[0])
 
@@ -274,16 +263,14 @@ def add_floor_limits(rows, count, lifted, a, G, wrench, I, work, spare):
 def add_wrench(work, wrench):
     """Put the constant wrench of the elements into the facets, which leaves c₀ + c₁ẍ_G + c₂G."""
     fx, fz, fl = wrench
-    for k in range(work.facets):
-        f = work.facet[k]
+    for f in work.facet[: work.facets]:
         f[0] -= f[1] * fx + f[2] * fz + f[3] * fl
 
 
 @inner
 def range_within_facets(work, a0, a1, z0, z1):
     """Whether all loads with ẍ_G from a0 to a1 and G from z0 to z1 are inside all facets."""
-    for j in range(work.facets):
-        f = work.facet[j]
+    for f in work.facet[: work.facets]:
         if f[0] + lowest_product(f[1], a0, a1) + lowest_product(f[2], z0, z1) < 0.0:
             return False
     return True
@@ -293,8 +280,7 @@ def range_within_facets(work, a0, a1, z0, z1):
 def time_within_facets(work, a0, G0, a1, G1, h):
     """Time in a step, with these loads at its ends, at which they leave the facets, or h."""
     first = h
-    for j in range(work.facets):
-        f = work.facet[j]
+    for f in work.facet[: work.facets]:
         m0, m1 = f[0] + f[1] * a0 + f[2] * G0, f[0] + f[1] * a1 + f[2] * G1
         if m1 < 0.0:
             first = min(first, 0.0 if m0 <= 0.0 else h * m0 / (m0 - m1))

@@ -6,8 +6,6 @@ or parabola suggests that it is negative inside, the least of the margins is bra
 That is as accurate as the step, so it also provides the state at the event.
 """
 
-from __future__ import annotations
-
 from stayput.compiling import inline, inner
 from stayput.mechanics.columns import CONTACTS, ROCK
 from stayput.mechanics.devices.lines import (

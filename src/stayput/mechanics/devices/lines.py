@@ -5,19 +5,17 @@ elongation about the *origin*, G or a fulcrum that sticks, is e = a + n·(x, z) 
 derivative by θ is the lever of the force about that origin.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner
 from stayput.mechanics.devices.columns import AXIAL, NORMAL, SLACK, TANGENT
 from stayput.mechanics.devices.device_law import (
-    branch_of,
     clipped,
     force_of,
     margins_of,
     note_force,
     push_of,
+    set_law,
     utilization_of,
 )
 from stayput.mechanics.roots import SLACK_FORCE, level_of, parabola_negative_at
@@ -33,25 +31,6 @@ def _set_place(el, link, line, i, u, v, x, z):
     line.p, line.q = nx * u + nz * v, nx * v - nz * u
     line.reach = math.sqrt(u * u + v * v)
     line.a = -el.length if el.kind == AXIAL else -(nx * line.x + nz * line.z)
-
-
-@inline
-def _set_branch(line, branch):
-    """Copy a `Branch` into the row of its line."""
-    line.state, line.constant, line.k, line.c = branch.state, branch.constant, branch.k, branch.c
-    line.per_push, line.stiffness, line.damping = branch.per_push, branch.stiffness, branch.damping
-    line.low_at_0, line.low_per_force, line.low_per_push = (
-        branch.low_at_0,
-        branch.low_per_force,
-        branch.low_per_push,
-    )
-    line.high_at_0, line.high_per_force, line.high_per_push = (
-        branch.high_at_0,
-        branch.high_per_force,
-        branch.high_per_push,
-    )
-    line.bears_friction = branch.bears_friction
-    line.per_plus, line.per_minus = branch.per_plus, branch.per_minus
 
 
 @inner
@@ -76,7 +55,7 @@ def set_lines(elements, links, case, corner, x, z, work):
             _set_place(el, link, line, i, u, v, x, z)
             if corner < 0:
                 line.reach = math.inf
-            _set_branch(line, branch_of(el, link, i))
+            set_law(line, el, link, i)
             count += 1
     work.lines = count
 
@@ -112,8 +91,7 @@ def place_of(line, sin, cos, moves, x, z, vx, vz, omega):
 def line_force(work, sin, cos, moves, x, z, vx, vz, omega):
     """Force of the lines on the body and its moment about the origin, + clockwise; stores nothing."""
     fx = fz = moment = push = 0.0
-    for r in range(work.lines):
-        line = work.line[r]
+    for line in work.line[: work.lines]:
         if line.state == SLACK:
             push = 0.0
             continue
@@ -132,8 +110,7 @@ def evaluate_lines(work, sin, cos, moves, x, z, vx, vz, omega):
     """
     fx = fz = moment = push = push_rate = used = 0.0
     least = math.inf
-    for r in range(work.lines):
-        line = work.line[r]
+    for line in work.line[: work.lines]:
         e, rate, nx, nz, lever = place_of(line, sin, cos, moves, x, z, vx, vz, omega)
         F = force_of(line, e, rate, push)
         low, high = margins_of(line, e, rate, F, push, push_rate)
@@ -155,8 +132,7 @@ def begin_step(work):
     A margin that starts at its limit must fall below it by a slack; see `roots.level_of`.
     """
     slack = work.slack_factor * SLACK_FORCE
-    for r in range(work.lines):
-        line = work.line[r]
+    for line in work.line[: work.lines]:
         line.e0, line.rate0, line.force0 = line.e, line.rate, line.force
         low, high = line.low1, line.high1
         line.low0, line.high0 = low, high
@@ -180,8 +156,7 @@ def weighted_margin(margin, weight):
 @inner
 def set_line_weights(work):
     """Set the scales of the line margins for a search that ends where they were last evaluated."""
-    for r in range(work.lines):
-        line = work.line[r]
+    for line in work.line[: work.lines]:
         line.low_weight = event_weight(line.low1 - line.low)
         line.high_weight = event_weight(line.high1 - line.high)
         line.joint_weight = event_weight(line.joint1 - line.joint) if line.interacts != 0 else 0.0
@@ -191,8 +166,7 @@ def set_line_weights(work):
 def least_weighted_line(work, at_start):
     """Least scaled margin of the lines, as last evaluated or at the start of the step."""
     least = math.inf
-    for r in range(work.lines):
-        line = work.line[r]
+    for line in work.line[: work.lines]:
         low, high, joint = line.low1, line.high1, line.joint1
         if at_start:
             low, high, joint = line.low0, line.high0, line.joint0
@@ -214,8 +188,7 @@ def first_crossing_candidate(work, sin, cos, moves, x, z, vx, vz, omega):
     """
     first = 1.0
     push = push_rate = used = 0.0
-    for r in range(work.lines):
-        line = work.line[r]
+    for line in work.line[: work.lines]:
         if line.inactive != 0:
             continue
         e, rate, _, _, _ = place_of(line, sin, cos, moves, x, z, vx, vz, omega)
@@ -270,8 +243,7 @@ def _reaches_peak(line, device):
 @inner
 def reaches_peak(work, devices):
     """Whether the force of a line may have exceeded its peak inside the step."""
-    for r in range(work.lines):
-        line = work.line[r]
+    for line in work.line[: work.lines]:
         if line.state != SLACK and _reaches_peak(line, devices[line.element]):
             return True
     return False
@@ -306,6 +278,5 @@ def record_forces(forces, work, s):
     """Write the forces at a sample into the force history, if it is kept; failed devices stay at zero."""
     if forces.shape[0] == 0:
         return
-    for r in range(work.lines):
-        line = work.line[r]
+    for line in work.line[: work.lines]:
         forces[s.k, line.element, line.tangent] = line.force

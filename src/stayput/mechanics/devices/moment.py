@@ -11,8 +11,6 @@ d² = a² + β cos θ + γ sin θ, and its lever d' = ½ (γ cos θ − β sin �
 With the loads linear in time, all of these are power series, whose coefficients follow one after the other.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
@@ -98,8 +96,7 @@ def sum_lines(links, work):
 @inline
 def _begin_axial(work, sin, cos):
     """Set the zeroth coefficients of the AXIAL lines."""
-    for j in range(work.axials):
-        axial = work.axial[j]
+    for axial in work.axial[: work.axials]:
         line = work.line[axial.row]
         x, z = line.x, line.z
         # the point is at (u cos θ + v sin θ, v cos θ − u sin θ)
@@ -112,8 +109,7 @@ def _begin_axial(work, sin, cos):
 def _axial_moment(work, n, lane):
     """Coefficient n of the moment of the AXIAL lines; that of cosine and sine is known up to n + 1."""
     moment = 0.0
-    for j in range(work.axials):
-        axial = work.axial[j]
+    for axial in work.axial[: work.axials]:
         line = work.line[axial.row]
         far, beta, gamma = axial.far, axial.beta, axial.gamma
         over = 1.0 / far[0]

@@ -16,8 +16,6 @@ and acceleration. After each step the state is projected back onto the constrain
 corner stays where it was, a slipping one on its plane.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
@@ -221,14 +219,6 @@ def evaluate_on_fulcrum(con, case, s, work, load, t):
 
 
 @inner
-def margins_on_fulcrum(con, case, s, work, load, t):
-    """The fulcrum's two margins in the state of s; stores nothing."""
-    fx, fz, moment = line_force(work, s.sin, s.cos, False, 0.0, 0.0, 0.0, 0.0, s.omega)
-    _, f, g = _under(con, case, s, load, t, fx, fz, moment)
-    return f, g
-
-
-@inner
 def begin_fulcrum_step(con, case, work, base, load, omega, tolerance, h):
     """Expand the tilt of a body on a sticking fulcrum; return the length of the step, at most h.
 
@@ -323,8 +313,10 @@ def evaluate_state(contacts, rows, case, s, work, load, t):
 def contact_margins(contacts, rows, case, s, work, load, t):
     """The contacts' two margins in the state of s; stores nothing."""
     if s.kind == col.ROCK:
-        return margins_on_fulcrum(contacts[s.i], case, s, work, load, t)
-    _, _, _, f, g = accelerations(contacts, rows, case, s, work, load, t)
+        fx, fz, moment = line_force(work, s.sin, s.cos, False, 0.0, 0.0, 0.0, 0.0, s.omega)
+        _, f, g = _under(contacts[s.i], case, s, load, t, fx, fz, moment)
+    else:
+        _, _, _, f, g = accelerations(contacts, rows, case, s, work, load, t)
     return f, g
 
 

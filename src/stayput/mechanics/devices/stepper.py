@@ -7,8 +7,6 @@ cubic through elongation and rate at both ends; on a sticking fulcrum, where ste
 deviates from a cubic is added.
 """
 
-from __future__ import annotations
-
 from stayput.compiling import inline, inner
 from stayput.mechanics.columns import ENDED, FLIGHT, LIMIT, ROCK
 from stayput.mechanics.devices.columns import FRICTION, SLACK, YIELDING

@@ -14,8 +14,6 @@ p·u = −s p_n ≤ 0, so that even impulses that have not converged make no ene
 contacts change together: their order does not matter. Dampers take part with D, half the damping of a step.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner
@@ -100,15 +98,20 @@ def _set_up_step(contacts, count, held, system):
     for d in range(springs.shape[0]):
         spring, pull = springs[d], pulls[d]
         if damps(spring, pull):
-            D = damping_of(pull)
-            answer = _damped(D, by_rows(rows, count + d, 0, spring.body, spring.other, gained))
-            p = added((pull.dx, pull.dy, pull.dz), -1.0, answer)
-            add_pair(matrix, vector, spring.body, spring.other, rows, count + d, p, D)
+            p = _left_of(spring, pull, rows, count + d, gained)
+            add_pair(matrix, vector, spring.body, spring.other, rows, count + d, p, damping_of(pull))
 
 
 @inline
 def _damped(D, u):
     return dot(D[0], u), dot(D[1], u), dot(D[2], u)
+
+
+@inline
+def _left_of(spring, pull, rows, k, gained):
+    """Return the change of a damper's impulse at the velocities gained, which answer it."""
+    answer = _damped(damping_of(pull), by_rows(rows, k, 0, spring.body, spring.other, gained))
+    return added((pull.dx, pull.dy, pull.dz), -1.0, answer)
 
 
 @inner
@@ -118,8 +121,7 @@ def _slope(contacts, count, part, slope, curvature):
     Those without contacts are given: slope at the beginning, curvature all along.
     """
     slope, total = slope + part * curvature, curvature
-    for k in range(count):
-        c = contacts[k]
+    for c in contacts[:count]:
         pn, ps, pt, nn, ns, nt, ss, st, tt = _impulse_at(c, part)
         x, y, z = c.en, c.es, c.et
         slope -= pn * x + ps * y + pt * z
@@ -131,8 +133,7 @@ def _slope(contacts, count, part, slope, curvature):
 def _line_search(contacts, count, slope, curvature):
     """Return about where along the direction φ is least: the whole way, or a root of its slope."""
     first = slope
-    for k in range(count):
-        c = contacts[k]
+    for c in contacts[:count]:
         first -= c.dn * c.en + c.ds * c.es + c.dt * c.et
     there, growth = _slope(contacts, count, 1.0, slope, curvature)
     enough = SLOPE * abs(first)
@@ -175,13 +176,8 @@ def _minimize(contacts, count, held, system, within, work):
             spring, pull = springs[d], pulls[d]
             if damps(spring, pull):
                 e = by_rows(rows, count + d, 0, spring.body, spring.other, vector)
-                u = by_rows(rows, count + d, 0, spring.body, spring.other, gained)
-                answer = _damped(damping_of(pull), u)
-                slope -= (
-                    (pull.dx - answer[0]) * e[0] + (pull.dy - answer[1]) * e[1] + (pull.dz - answer[2]) * e[2]
-                )
-                more = _damped(damping_of(pull), e)
-                curvature += more[0] * e[0] + more[1] * e[1] + more[2] * e[2]
+                slope -= dot(_left_of(spring, pull, rows, count + d, gained), e)
+                curvature += dot(_damped(damping_of(pull), e), e)
         for k in range(count):
             c = contacts[k]
             c.en, c.es, c.et = by_rows(rows, k, 0, c.a, c.b, vector)
@@ -189,8 +185,7 @@ def _minimize(contacts, count, held, system, within, work):
         for b in range(starts.shape[0]):
             for i in range(6):
                 gained[b, i] += part * vector[b, i]
-        for k in range(count):
-            c = contacts[k]
+        for c in contacts[:count]:
             c.un, c.us, c.ut = c.un + part * c.en, c.us + part * c.es, c.ut + part * c.et
 
 
@@ -246,8 +241,7 @@ def find_impulses(contacts, count, held, bodies, poses, system, accuracy, enough
             contacts[k].rho = penalty / (contacts[k].wnn + contacts[k].stiff)
         _minimize(contacts, count, held, system, max(0.1 * accuracy, min(0.01 * residual, 1e-5)), work)
         residual = product = square = 0.0
-        for k in range(count):
-            c = contacts[k]
+        for c in contacts[:count]:
             c.ln, c.ls, c.lt = c.dn, c.ds, c.dt
             residual = max(residual, _residual(c))
             change = c.mu * math.sqrt(c.us * c.us + c.ut * c.ut) - c.shift
@@ -257,20 +251,17 @@ def find_impulses(contacts, count, held, bodies, poses, system, accuracy, enough
         stalled = stalled + 1 if residual > 0.5 * least else 0
         if residual < least:
             least = residual
-            for k in range(count):
-                c = contacts[k]
+            for c in contacts[:count]:
                 c.pn, c.ps, c.pt = c.ln, c.ls, c.lt
         if residual <= accuracy or (stalled >= MOST_STALLED and least <= enough):
             break
         if number > 1 and square > 0.0:
             relaxation = min(MOST_RELAXATION, max(LEAST_RELAXATION, -relaxation * product / square))
-        for k in range(count):
-            c = contacts[k]
+        for c in contacts[:count]:
             c.shift = max(0.0, c.shift + relaxation * c.change)
         penalty = min(LARGEST_PENALTY, PENALTY_GROWTH * penalty)
     for d in range(springs.shape[0]):
         spring, pull = springs[d], pulls[d]
         if damps(spring, pull):
-            answer = _damped(damping_of(pull), by_rows(rows, count + d, 0, spring.body, spring.other, gained))
-            change_impulse(spring, pull, bodies, poses, added((pull.dx, pull.dy, pull.dz), -1.0, answer))
+            change_impulse(spring, pull, bodies, poses, _left_of(spring, pull, rows, count + d, gained))
     return least

@@ -5,8 +5,6 @@ moment L stays, so that a free body keeps momentum to rounding, and its rotation
 Kutta's method of fourth order in the quaternion.
 """
 
-from __future__ import annotations
-
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.vectors import added, cross, dot, quaternion_rate, turned_back, unit_quaternion
 

@@ -1,7 +1,5 @@
 """Which contacts are closed in a step, how far all others are apart, and when they meet."""
 
-from __future__ import annotations
-
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import bend, in_body, place_of, sag
 from stayput.mechanics.space.contact import lever_a, lever_b, velocity_at
@@ -22,9 +20,8 @@ from stayput.mechanics.space.touching import (
     may_touch,
     note_gaps,
     plane_from,
-    plane_normal,
 )
-from stayput.mechanics.space.vectors import added, dot
+from stayput.mechanics.space.vectors import added, dot, normal_of
 
 NO_PLANE = -1
 """The plane of a contact between bodies."""
@@ -63,8 +60,7 @@ def keep(contacts, count, kept, marks):
     for k in range(kept.shape[0]):
         kept[k, 0] = kept[k, 1] = kept[k, 2] = 0.0
         kept[k, 3] = OPEN
-    for k in range(count):
-        c = contacts[k]
+    for c in contacts[:count]:
         part = 0.0 if marks[c.a] else 1.0
         kept[c.key, 0], kept[c.key, 1], kept[c.key, 2] = part * c.pn, part * c.ps, part * c.pt
         kept[c.key, 3], kept[c.key, 4] = float(c.stuck), c.when
@@ -145,7 +141,7 @@ def _prepare(contacts, first, count, kept, surface, bodies, poses, h):
 @inline
 def _on_plane(c, b, lever, gap, j, plane, bent):
     c.a, c.b, c.plane, c.floor = b, ROOM, j, plane.floor
-    c.nx, c.ny, c.nz = plane_normal(plane)
+    c.nx, c.ny, c.nz = normal_of(plane)
     c.rax, c.ray, c.raz = lever
     c.gap = gap
     c.bx, c.by, c.bz = bent
@@ -225,7 +221,7 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
                     lever = lever_of_point(s, points[i])
                     bent = bend(body, s, lever)
                     within = closed if kept[key, 3] == OPEN else TOGETHER
-                    least = gap - rise(plane_normal(plane), bent, h)
+                    least = gap - rise(normal_of(plane), bent, h)
                     if least <= within:
                         touches += 1 if least <= closed else 0
                         _on_plane(contacts[count], b, lever, gap, j, plane, bent)
@@ -248,7 +244,7 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
                             continue
                         bent = bend_of_rim(body, s, rims[i], plane, number, h)
                         within = closed if kept[key, 3] == OPEN else TOGETHER
-                        if gap - rise(plane_normal(plane), bent, h) <= within:
+                        if gap - rise(normal_of(plane), bent, h) <= within:
                             _on_plane(contacts[count], b, lever, gap, j, plane, bent)
                             count = _close(contacts, count, key, kept, ratio, plane)
                             if plane.floor:
@@ -290,7 +286,7 @@ def _meets(s, lever, plane, gap, later, first, h):
     """
     start = max(gap, 0.0)
     meets = h * start / (start - later)
-    rate = dot(plane_normal(plane), velocity_at(s, lever))
+    rate = dot(normal_of(plane), velocity_at(s, lever))
     return min(first, max(meets, h - later / rate)) if rate < 0.0 else min(first, meets)
 
 

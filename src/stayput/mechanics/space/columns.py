@@ -4,10 +4,7 @@ A body's own axes are its principal axes through its centre of gravity G. Places
 in the room's axes, which move with the floor: x along the depth, y across, z up.
 """
 
-from __future__ import annotations
-
-import numpy as np
-
+from stayput.mechanics.columns import floats, integers, record
 from stayput.mechanics.devices.columns import ELEMENT
 
 _NAMES = ELEMENT.names or ()
@@ -15,14 +12,12 @@ _NAMES = ELEMENT.names or ()
 LAW_OF_ELEMENT = _NAMES[_NAMES.index("stiffness") :]
 """Columns of an `ELEMENT` that are its law: those after its geometry."""
 
-SOLID = np.dtype(
-    [(name, "f8") for name in ("mass", "i1", "i2", "i3", "rm", "r1", "r2", "r3")]
-    + [(name, "i8") for name in ("first_point", "points", "hull", "first_rim", "rims")]
-    + [(name, "i8") for name in ("first_face", "faces", "first_edge", "edges")]
-    + [(name, "f8") for name in ("radius", "restitution", "landing_place", "kappa")]
-    + [(name, "f8") for name in ("mu_static", "mu_kinetic", "edge_static", "edge_kinetic")]
-    + [(name, "f8") for name in ("ux", "uy", "uz")],
-    align=True,
+SOLID = record(
+    *floats("mass", "i1", "i2", "i3", "rm", "r1", "r2", "r3"),
+    *integers("first_point", "points", "hull", "first_rim", "rims"),
+    *integers("first_face", "faces", "first_edge", "edges"),
+    *floats("radius", "restitution", "landing_place", "kappa"),
+    *floats("mu_static", "mu_kinetic", "edge_static", "edge_kinetic", "ux", "uy", "uz"),
 )
 """A body: mass, principal moments of inertia, and the roots of one over each; its points, of which the first
 are the corners of its convex hull, rims, faces and edges; the radius about G of a ball around it; of the
@@ -30,66 +25,50 @@ floor under it restitution and place of a landing; where friction acts (`stayput
 on that floor, and on one corner or edge alone; and what points up at rest.
 """
 
-POINT = np.dtype(
-    [(name, "f8") for name in ("x", "y", "z", "mu_static", "mu_kinetic")]
-    + [(name, "i8") for name in ("floor", "walls")],
-    align=True,
-)
+POINT = record(*floats("x", "y", "z", "mu_static", "mu_kinetic"), *integers("floor", "walls"))
 """A point of a body in its axes: friction of its own on the floor (NaN: the body's), whether it may touch
 the floor, and walls and ceiling.
 """
 
-RIM = np.dtype(
-    [(name, "f8") for name in ("x", "y", "z", "ax", "ay", "az", "radius")]
-    + [(name, "i8") for name in ("floor", "walls")],
-    align=True,
-)
+RIM = record(*floats("x", "y", "z", "ax", "ay", "az", "radius"), *integers("floor", "walls"))
 """A circular edge of a body: its centre, the direction of its axis, its radius; the rest as of a point."""
 
-FACE = np.dtype([("nx", "f8"), ("ny", "f8"), ("nz", "f8"), ("first", "i8"), ("count", "i8")], align=True)
+FACE = record(*floats("nx", "ny", "nz"), *integers("first", "count"))
 """A face of a hull: its outward normal in the body's axes, and its corners in a list of points,
 counter-clockwise as seen from outside.
 """
 
-PLANE = np.dtype(
-    [(name, "f8") for name in ("nx", "ny", "nz", "offset", "mu_static", "mu_kinetic", "restitution")]
-    + [("floor", "i8")],
-    align=True,
-)
+PLANE = record(*floats("nx", "ny", "nz", "offset", "mu_static", "mu_kinetic", "restitution"), ("floor", "i8"))
 """A plane n·x = offset of the room, its normal into the room: the floor, a wall, the ceiling.
 
 What a body has of the floor stands with the body, as measures under it change that.
 """
 
-PAIR = np.dtype(
-    [("a", "i8"), ("b", "i8"), ("mu_static", "f8"), ("mu_kinetic", "f8"), ("restitution", "f8")], align=True
-)
+PAIR = record(*integers("a", "b"), *floats("mu_static", "mu_kinetic", "restitution"))
 """Two bodies that may touch, and what holds there."""
 
-POSE = np.dtype(
-    [(name, "f8") for name in ("x", "y", "z", "qw", "qx", "qy", "qz")]
-    + [(name, "f8") for name in ("vx", "vy", "vz", "lx", "ly", "lz", "wx", "wy", "wz")]
-    + [(f"r{i}{j}", "f8") for i in "xyz" for j in "xyz"]
-    + [(name, "f8") for name in ("jxx", "jxy", "jxz", "jyy", "jyz", "jzz")],
-    align=True,
+POSE = record(
+    *floats("x", "y", "z", "qw", "qx", "qy", "qz"),
+    *floats("vx", "vy", "vz", "lx", "ly", "lz", "wx", "wy", "wz"),
+    *floats(*(f"r{i}{j}" for i in "xyz" for j in "xyz")),
+    *floats("jxx", "jxy", "jxz", "jyy", "jyz", "jzz"),
 )
 """Where a body is and how it moves: G, the quaternion that turns its axes into the room's, velocity of G,
 angular momentum, rotation rate, and of that quaternion the rotation matrix and the inverse of the inertia in
 the room's axes.
 """
 
-CONTACT = np.dtype(
-    [(name, "i8") for name in ("a", "b", "key", "stuck", "stood", "plane", "floor")]
-    + [(name, "f8") for name in ("nx", "ny", "nz", "sx", "sy", "sz", "tx", "ty", "tz")]
-    + [(name, "f8") for name in ("rax", "ray", "raz", "rbx", "rby", "rbz", "gap", "bx", "by", "bz")]
-    + [(name, "f8") for name in ("fax", "fay", "faz", "fbx", "fby", "fbz")]
-    + [(name, "f8") for name in ("mu_static", "mu_kinetic", "mu", "closing", "bounce")]
-    + [(name, "f8") for name in ("target", "target_s", "target_t")]
-    + [(name, "f8") for name in ("pn", "ps", "pt", "dn", "ds", "dt")]
-    + [(name, "f8") for name in ("wnn", "wns", "wnt", "wss", "wst", "wtt", "stiff")]
-    + [(name, "f8") for name in ("ln", "ls", "lt", "un", "us", "ut", "en", "es", "et", "gn", "gs", "gt")]
-    + [(name, "f8") for name in ("shift", "change", "rho", "when", "x", "y", "z")],
-    align=True,
+CONTACT = record(
+    *integers("a", "b", "key", "stuck", "stood", "plane", "floor"),
+    *floats("nx", "ny", "nz", "sx", "sy", "sz", "tx", "ty", "tz"),
+    *floats("rax", "ray", "raz", "rbx", "rby", "rbz", "gap", "bx", "by", "bz"),
+    *floats("fax", "fay", "faz", "fbx", "fby", "fbz"),
+    *floats("mu_static", "mu_kinetic", "mu", "closing", "bounce"),
+    *floats("target", "target_s", "target_t"),
+    *floats("pn", "ps", "pt", "dn", "ds", "dt"),
+    *floats("wnn", "wns", "wnt", "wss", "wst", "wtt", "stiff"),
+    *floats("ln", "ls", "lt", "un", "us", "ut", "en", "es", "et", "gn", "gs", "gt"),
+    *floats("shift", "change", "rho", "when", "x", "y", "z"),
 )
 """A closed contact: bodies a and b (−1: the room), whether it sticks, and has done so since the last step
 alone; the plane of the room (−1: none) and whether it is the floor, the normal towards a and two tangents,
@@ -102,23 +81,21 @@ over the step's length (`stayput.mechanics.space.events`); and of two bodies whe
 a.
 """
 
-SPRING = np.dtype(
-    [("body", "i8"), ("other", "i8"), ("kind", "i8")]
-    + [(name, "f8") for name in ("px", "py", "pz", "ax", "ay", "az", "nx", "ny", "nz", "length")]
-    + [(name, ELEMENT[name]) for name in LAW_OF_ELEMENT],
-    align=True,
+SPRING = record(
+    *integers("body", "other", "kind"),
+    *floats("px", "py", "pz", "ax", "ay", "az", "nx", "ny", "nz", "length"),
+    *((name, ELEMENT[name]) for name in LAW_OF_ELEMENT),
 )
 """A device: the body, and the other one (−1: the room); its point and its anchor from both G, in the axes of
 the body and of the other, and the normal of its plane; its law is that of an `ELEMENT`, in newtons.
 """
 
-PULL = np.dtype(
-    [("lost", "i8"), ("pushes", "i8")]
-    + [(name, "f8") for name in ("plastic", "plastic_sum", "tx", "ty", "tz", "slip_sum")]
-    + [(name, "f8") for name in ("lx", "ly", "lz", "ox", "oy", "oz", "nx", "ny", "nz")]
-    + [(name, "f8") for name in ("e", "xx", "xy", "xz", "ux", "uy", "uz", "px", "py", "pz")]
-    + [(name, "f8") for name in ("dx", "dy", "dz", "cn", "ct", "force", "shear")],
-    align=True,
+PULL = record(
+    *integers("lost", "pushes"),
+    *floats("plastic", "plastic_sum", "tx", "ty", "tz", "slip_sum"),
+    *floats("lx", "ly", "lz", "ox", "oy", "oz", "nx", "ny", "nz"),
+    *floats("e", "xx", "xy", "xz", "ux", "uy", "uz", "px", "py", "pz"),
+    *floats("dx", "dy", "dz", "cn", "ct", "force", "shear"),
 )
 """How a device is stretched: whether it is lost, and has pushed; its plastic elongation and slip (a vector in
 the anchor's axes) and their sums; in a step the levers about both G, the normal, elongations, the rate
@@ -126,10 +103,7 @@ before, the impulse, its change by a step of Newton's method, by how much it fal
 velocity along the normal and across, and the forces.
 """
 
-HIT = np.dtype(
-    [(name, "i8") for name in ("a", "b", "plane")] + [(name, "f8") for name in ("time", "speed", "impulse")],
-    align=True,
-)
+HIT = record(*integers("a", "b", "plane"), *floats("time", "speed", "impulse"))
 """A hit: body a, and body b (−1: the room) or a plane of the room; when, how fast they closed, how hard."""
 
 LINE = 0.5

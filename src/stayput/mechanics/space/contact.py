@@ -1,19 +1,11 @@
 """A closed contact: its frame and levers, how fast it slips, and an impulse at it."""
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline
 from stayput.mechanics.space.body import angular_response, rotation, velocity
 from stayput.mechanics.space.touching import ROOM
-from stayput.mechanics.space.vectors import added, cross, dot, scaled
-
-
-@inline
-def normal_of(c):
-    """Return a contact's normal, towards body a."""
-    return c.nx, c.ny, c.nz
+from stayput.mechanics.space.vectors import added, cross, dot, normal_of, scaled
 
 
 @inline

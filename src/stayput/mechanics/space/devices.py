@@ -14,35 +14,17 @@ before and after the impulses of the step. Dampers are part of Newton's method f
 contacts; what it leaves, as where a force reaches its strength, is found again and again with these.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner
-from stayput.mechanics.devices.columns import (
-    AXIAL,
-    DRAWN_OUT,
-    DROPPED_OUT,
-    HOLDS,
-    NORMAL,
-    PULLED,
-    PUSHED,
-    SHEARED,
-    TANGENT,
-)
+from stayput.mechanics.devices import columns as col
 from stayput.mechanics.space.body import in_body, in_room, place_of
 from stayput.mechanics.space.contact import give_impulse, mobility, velocity_at
 from stayput.mechanics.space.touching import ROOM
-from stayput.mechanics.space.vectors import added, cross, dot, norm, scaled
+from stayput.mechanics.space.vectors import added, cross, dot, norm, normal_of, scaled
 
 SAME = 5e-5
 """Change of a force up to which it is the same [N/kg]."""
-
-
-@inline
-def normal_of_pull(pull):
-    """Return the normal of a device in a step."""
-    return pull.nx, pull.ny, pull.nz
 
 
 @inline
@@ -83,7 +65,7 @@ def stretch(springs, pulls, poses):
             pull.ox, pull.oy, pull.oz = arm
             anchor, n, t = added(place_of(r), 1.0, arm), in_room(r, n), in_room(r, t)
         way = added(added(place_of(s), 1.0, lever_of_pull(pull)), -1.0, anchor)
-        if spring.kind == AXIAL:
+        if spring.kind == col.AXIAL:
             far = norm(way)
             pull.e = far - spring.length
             n = scaled(1.0 / max(far, 1e-12), way)
@@ -100,15 +82,15 @@ def stretch(springs, pulls, poses):
 def _over(spring, pull):
     """Return the elongation of the normal line beyond its slack: above 0 it pulls, below 0 it pushes."""
     e = pull.e - pull.plastic
-    plus, minus = e - spring.slack_plus[NORMAL], e + spring.slack_minus[NORMAL]
-    if spring.slack_plus[NORMAL] + spring.slack_minus[NORMAL] == 0.0 or plus > 0.0:
+    plus, minus = e - spring.slack_plus[col.NORMAL], e + spring.slack_minus[col.NORMAL]
+    if spring.slack_plus[col.NORMAL] + spring.slack_minus[col.NORMAL] == 0.0 or plus > 0.0:
         return plus
     return min(minus, 0.0)
 
 
 @inline
 def _bonded(spring):
-    return spring.slack_plus[NORMAL] + spring.slack_minus[NORMAL] == 0.0
+    return spring.slack_plus[col.NORMAL] + spring.slack_minus[col.NORMAL] == 0.0
 
 
 @inline
@@ -117,10 +99,10 @@ def _along_normal(spring, pull, rate):
     over = _over(spring, pull)
     if over == 0.0 and not _bonded(spring):
         return 0.0
-    F = spring.stiffness[NORMAL] * over + spring.damping[NORMAL] * rate
+    F = spring.stiffness[col.NORMAL] * over + spring.damping[col.NORMAL] * rate
     if not _bonded(spring):
         F = max(F, 0.0) if over > 0.0 else min(F, 0.0)
-    return min(max(F, -spring.limit_minus[NORMAL]), spring.limit_plus[NORMAL])
+    return min(max(F, -spring.limit_minus[col.NORMAL]), spring.limit_plus[col.NORMAL])
 
 
 @inline
@@ -128,7 +110,7 @@ def _most_shear(spring, F):
     """Return the largest force along the plane at the force F of the normal line."""
     if spring.friction == spring.friction:  # False for NaN
         return spring.friction * max(-F, 0.0)
-    return spring.limit_plus[TANGENT]
+    return spring.limit_plus[col.TANGENT]
 
 
 @inline
@@ -136,12 +118,12 @@ def _along_plane(spring, pull, rate, F):
     """Return the force along the plane, a vector, at the force F of the normal line."""
     x = pull.xx, pull.xy, pull.xz
     far = norm(x)
-    over = far - spring.slack_plus[TANGENT]
-    if spring.stiffness[TANGENT] == 0.0 or (over <= 0.0 and spring.slack_plus[TANGENT] > 0.0):
+    over = far - spring.slack_plus[col.TANGENT]
+    if spring.stiffness[col.TANGENT] == 0.0 or (over <= 0.0 and spring.slack_plus[col.TANGENT] > 0.0):
         return 0.0, 0.0, 0.0
-    force = scaled(spring.stiffness[TANGENT] * over / max(far, 1e-12), x)
-    force = added(force, spring.damping[TANGENT], rate)
-    if spring.slack_plus[TANGENT] > 0.0 and dot(force, x) < 0.0:
+    force = scaled(spring.stiffness[col.TANGENT] * over / max(far, 1e-12), x)
+    force = added(force, spring.damping[col.TANGENT], rate)
+    if spring.slack_plus[col.TANGENT] > 0.0 and dot(force, x) < 0.0:
         return 0.0, 0.0, 0.0
     size, most = norm(force), _most_shear(spring, F)
     return scaled(most / size, force) if size > most else force
@@ -150,7 +132,7 @@ def _along_plane(spring, pull, rate, F):
 @inline
 def damps(spring, pull):
     """Return whether the impulse of a device depends on the velocities after a step."""
-    return pull.lost == 0 and (spring.damping[NORMAL] > 0.0 or spring.damping[TANGENT] > 0.0)
+    return pull.lost == 0 and (spring.damping[col.NORMAL] > 0.0 or spring.damping[col.TANGENT] > 0.0)
 
 
 @inner
@@ -161,18 +143,18 @@ def change_of_impulse(spring, pull, poses, h):
     """
     rate = added(_rate(spring, pull, poses), 1.0, (pull.ux, pull.uy, pull.uz))
     rate = scaled(0.5, rate)
-    n = normal_of_pull(pull)
+    n = normal_of(pull)
     along = dot(n, rate)
     F = _along_normal(spring, pull, along)
     shear = 0.0, 0.0, 0.0
     pull.cn = pull.ct = 0.0
-    if -spring.limit_minus[NORMAL] < F < spring.limit_plus[NORMAL] and (F != 0.0 or _bonded(spring)):
-        pull.cn = 0.5 * h * spring.damping[NORMAL]
-    if spring.kind != AXIAL:
+    if -spring.limit_minus[col.NORMAL] < F < spring.limit_plus[col.NORMAL] and (F != 0.0 or _bonded(spring)):
+        pull.cn = 0.5 * h * spring.damping[col.NORMAL]
+    if spring.kind != col.AXIAL:
         shear = _along_plane(spring, pull, added(rate, -along, n), F)
     pull.force, pull.shear = F, norm(shear)
     if 0.0 < pull.shear < _most_shear(spring, F) * (1.0 - 1e-12):
-        pull.ct = 0.5 * h * spring.damping[TANGENT]
+        pull.ct = 0.5 * h * spring.damping[col.TANGENT]
     return added(scaled(-h, added(shear, F, n)), -1.0, (pull.px, pull.py, pull.pz))
 
 
@@ -200,7 +182,7 @@ def _with_answer(spring, pull, bodies, poses, change):
 
     Without it a strong damper would take back more than there was, each time more.
     """
-    n = normal_of_pull(pull)
+    n = normal_of(pull)
     along = dot(n, change)
     across = added(change, -along, n)
     size = norm(across)
@@ -235,20 +217,20 @@ def _lose(pull, device, why, time):
 @inner
 def _yield_along_normal(spring, pull, device, time):
     """Make plastic what lies beyond the strength of the normal line, or break it."""
-    k, over, F = spring.stiffness[NORMAL], _over(spring, pull), pull.force
+    k, over, F = spring.stiffness[col.NORMAL], _over(spring, pull), pull.force
     plus = F > 0.0
-    most = spring.limit_plus[NORMAL] if plus else spring.limit_minus[NORMAL]
+    most = spring.limit_plus[col.NORMAL] if plus else spring.limit_minus[col.NORMAL]
     if abs(F) < most or (spring.interaction and plus):
         return
-    if spring.ultimate[NORMAL] == 0.0:
-        _lose(pull, device, PULLED if plus else PUSHED, time)
+    if spring.ultimate[col.NORMAL] == 0.0:
+        _lose(pull, device, col.PULLED if plus else col.PUSHED, time)
         return
     grown = max(abs(over) - most / k, 0.0)
     pull.plastic += grown if plus else -grown
-    device.plastic[NORMAL] = pull.plastic
+    device.plastic[col.NORMAL] = pull.plastic
     pull.plastic_sum += grown
-    if pull.plastic_sum > spring.ultimate[NORMAL]:
-        _lose(pull, device, DRAWN_OUT, time)
+    if pull.plastic_sum > spring.ultimate[col.NORMAL]:
+        _lose(pull, device, col.DRAWN_OUT, time)
 
 
 @inner
@@ -256,25 +238,25 @@ def _yield_along_plane(spring, pull, device, time, poses):
     """Make plastic what lies beyond the strength along the plane, or break the device."""
     most = _most_shear(spring, pull.force)
     rubs = spring.friction == spring.friction
-    if spring.stiffness[TANGENT] == 0.0 or pull.shear < most or spring.interaction:
+    if spring.stiffness[col.TANGENT] == 0.0 or pull.shear < most or spring.interaction:
         return
-    if spring.ultimate[TANGENT] == 0.0 and not rubs:
-        _lose(pull, device, SHEARED, time)
+    if spring.ultimate[col.TANGENT] == 0.0 and not rubs:
+        _lose(pull, device, col.SHEARED, time)
         return
     x = pull.xx, pull.xy, pull.xz
     far = norm(x)
-    grown = max(far - spring.slack_plus[TANGENT] - most / spring.stiffness[TANGENT], 0.0)
+    grown = max(far - spring.slack_plus[col.TANGENT] - most / spring.stiffness[col.TANGENT], 0.0)
     step = scaled(grown / max(far, 1e-12), x)
     if spring.other != ROOM:
         step = in_body(poses[spring.other], step)
     pull.tx, pull.ty, pull.tz = added((pull.tx, pull.ty, pull.tz), 1.0, step)
     pull.slip_sum += grown
     slipped = norm((pull.tx, pull.ty, pull.tz))
-    device.plastic[TANGENT] = slipped
+    device.plastic[col.TANGENT] = slipped
     # a head that rubs is lost where it is off its pad, whatever it slipped to and fro
     used = slipped if rubs else pull.slip_sum
-    if spring.ultimate[TANGENT] > 0.0 and used > spring.ultimate[TANGENT]:
-        _lose(pull, device, DROPPED_OUT if rubs else DRAWN_OUT, time)
+    if spring.ultimate[col.TANGENT] > 0.0 and used > spring.ultimate[col.TANGENT]:
+        _lose(pull, device, col.DROPPED_OUT if rubs else col.DRAWN_OUT, time)
 
 
 @inner
@@ -304,7 +286,7 @@ def _add_load(load, force, moment, sign):
 def note_forces(pulls, row):
     """Write the forces into a row of their history."""
     for k in range(pulls.shape[0]):
-        row[k, NORMAL], row[k, TANGENT] = pulls[k].force, pulls[k].shear
+        row[k, col.NORMAL], row[k, col.TANGENT] = pulls[k].force, pulls[k].shear
 
 
 @inner
@@ -318,23 +300,24 @@ def give(springs, pulls, devices, poses, time):
         F, shear = pull.force, pull.shear
         used = 0.0
         if spring.interaction:
-            of_pull, of_shear = max(F, 0.0) / spring.limit_plus[NORMAL], shear / spring.limit_plus[TANGENT]
+            of_pull = max(F, 0.0) / spring.limit_plus[col.NORMAL]
+            of_shear = shear / spring.limit_plus[col.TANGENT]
             used = of_pull * of_pull + of_shear * of_shear
             if used >= 1.0:
                 # no device bears more than its strength
                 part = 1.0 / math.sqrt(used)
                 F, shear = part * F if F > 0.0 else F, part * shear
-                _lose(pull, device, PULLED if of_pull >= of_shear else SHEARED, time)
+                _lose(pull, device, col.PULLED if of_pull >= of_shear else col.SHEARED, time)
         device.peak_pull, device.peak_push = max(device.peak_pull, F), max(device.peak_push, -F)
         device.peak_shear = max(device.peak_shear, shear)
         if spring.drops_out:
             if F < 0.0:
                 pull.pushes = 1
             elif pull.pushes:
-                _lose(pull, device, DROPPED_OUT, time)
-        if device.failure == HOLDS:
+                _lose(pull, device, col.DROPPED_OUT, time)
+        if device.failure == col.HOLDS:
             _yield_along_normal(spring, pull, device, time)
-        if device.failure == HOLDS and spring.kind != AXIAL:
+        if device.failure == col.HOLDS and spring.kind != col.AXIAL:
             _yield_along_plane(spring, pull, device, time, poses)
-        lost = lost or device.failure != HOLDS
+        lost = lost or device.failure != col.HOLDS
     return lost

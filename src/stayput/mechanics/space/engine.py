@@ -56,9 +56,8 @@ from stayput.mechanics.space.touching import (
     lever_of_point,
     lowest_lever,
     may_touch,
-    plane_normal,
 )
-from stayput.mechanics.space.vectors import added, cross
+from stayput.mechanics.space.vectors import added, cross, normal_of
 
 IGNORED = 1e-12
 """Depth up to which a body that has entered another stays [m]: rounding."""
@@ -138,7 +137,7 @@ def _move_out(body, s, lever, plane, bent):
     """Move a body out of a plane that a point has entered by more than ``bent``, as an impulse would."""
     gap = gap_of(s, lever, plane)
     if gap < -bent:
-        n = plane_normal(plane)
+        n = normal_of(plane)
         _nudge_along(body, s, lever, n, -gap / mobility(body, s, lever, n))
 
 
@@ -169,8 +168,7 @@ def _move_all_out(world, poses, scratch, h):
     for b in range(bodies.shape[0]):
         body, s = bodies[b], poses[b]
         bent = sag(body, s, h)
-        for j in range(planes.shape[0]):
-            plane = planes[j]
+        for plane in planes:
             for i in range(body.first_point, body.first_point + body.points):
                 if may_touch(points[i], plane):
                     _move_out(body, s, lever_of_point(s, points[i]), plane, bent)

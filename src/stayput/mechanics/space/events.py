@@ -4,8 +4,6 @@ Each contact notes whether it sticks after a step, and when that changed: of a s
 row 1 of what is kept of contacts, beside row 0 of the step before.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner
@@ -125,14 +123,12 @@ def next_switch(contacts, count, kept, by):
 def switch_now(contacts, count, kept, by, poses):
     """Let these contacts begin or end to slip; where one stands all do that slip no more."""
     stand = False
-    for k in range(count):
-        c = contacts[k]
+    for c in contacts[:count]:
         if _switches(c, kept, by):
             c.stuck, c.when = int(kept[1, c.key, 3]), 0.0
             c.stood = c.stuck
             stand = stand or c.stuck == 1
-    for k in range(count):
-        c = contacts[k]
+    for c in contacts[:count]:
         if stand and kept[0, c.key, 3] == 0.0 and slip_rate(c, poses) <= STANDS:
             c.stuck = c.stood = 1
             c.when = 0.0

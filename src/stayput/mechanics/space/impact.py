@@ -4,8 +4,6 @@ As in the plane (`stayput.mechanics.impact`): where Newton's restitution with fr
 are those of a plastic impact, times 1 + the least restitution of the contacts that bounce.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner
@@ -51,15 +49,13 @@ def mark_what_hits(contacts, count, marks, speed):
     for b in range(marks.shape[0]):
         marks[b] = 0
     spread = False
-    for k in range(count):
-        c = contacts[k]
+    for c in contacts[:count]:
         if c.closing < -speed and c.pn > 0.0:
             marks[c.a] = 1
             spread = True
     while spread:
         spread = False
-        for k in range(count):
-            c = contacts[k]
+        for c in contacts[:count]:
             if c.b != ROOM and c.pn > 0.0 and marks[c.a] != marks[c.b]:
                 marks[c.a] = marks[c.b] = 1
                 spread = True
@@ -69,8 +65,7 @@ def mark_what_hits(contacts, count, marks, speed):
 def _bounce_alike(contacts, count, bodies, poses, marks, factor):
     """Give all that presses on bodies that hit, or on what touches them, a further part of its impulse."""
     mark_what_hits(contacts, count, marks, IMPACT)
-    for k in range(count):
-        c = contacts[k]
+    for c in contacts[:count]:
         if marks[c.a]:
             apply_one(c, bodies, poses, factor)
             c.pn, c.ps, c.pt = (1.0 + factor) * c.pn, (1.0 + factor) * c.ps, (1.0 + factor) * c.pt
@@ -93,8 +88,7 @@ def mend(contacts, count, held, bodies, poses, system, h, work):
         apply(contacts, count, bodies, poses, 1.0)
         return True
     least = 1.0
-    for k in range(count):
-        c = contacts[k]
+    for c in contacts[:count]:
         if c.bounce > 0.0:
             c.target, least = 0.0, min(least, c.bounce)
         c.pn = c.ps = c.pt = 0.0

@@ -5,8 +5,6 @@ a region, where it loses less (`stayput.model.soft_base.landing_factor`), and th
 paper's Eq. 3.14): both are a factor on the rate, about the point that has landed, which stays where it is.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner
@@ -24,8 +22,7 @@ def _edges(contacts, count, b, poses):
     """Return the levers of where a body has landed on the floor and of what it has left; whether both are."""
     landed, left = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
     weight, many = 0.0, 0
-    for k in range(count):
-        c = contacts[k]
+    for c in contacts[:count]:
         if c.a != b or not c.floor:
             continue
         if c.closing < -IMPACT and c.pn > 0.0:

@@ -14,8 +14,6 @@ A damper asks for the same, D being half the step times its damping matrix: with
 force corrected after them, the two would take turns, and a contact might slip by a force that is not there.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner
@@ -27,7 +25,6 @@ from stayput.mechanics.space.contact import (
     friction_lever_b,
     lever_a,
     lever_b,
-    normal_of,
     push,
     second_tangent,
 )
@@ -37,10 +34,12 @@ from stayput.mechanics.space.devices import (
     change_of_impulse,
     damps,
     lever_of_pull,
-    normal_of_pull,
 )
 from stayput.mechanics.space.touching import ROOM
-from stayput.mechanics.space.vectors import added, cross
+from stayput.mechanics.space.vectors import added, cross, normal_of
+
+AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+"""The room's axes, along which devices are written."""
 
 FIRM = 1e7
 """Penalty of a velocity that a contact forbids, times the inverse mass that it sees."""
@@ -58,19 +57,11 @@ def _set_row(rows, k, side, axis, body, s, lever, along, sign):
 
 
 @inner
-def _set_rows_of(rows, k, side, c, body, s, lever, friction_lever, sign):
-    """Set the velocity at a contact along its three axes as a function of a body's scaled velocities."""
-    _set_row(rows, k, side, 0, body, s, lever, normal_of(c), sign)
-    _set_row(rows, k, side, 1, body, s, friction_lever, first_tangent(c), sign)
-    _set_row(rows, k, side, 2, body, s, friction_lever, second_tangent(c), sign)
-
-
-@inner
-def _set_rows_of_device(rows, k, side, body, s, lever, sign):
-    """Set the velocity of a device along the room's axes as a function of a body's scaled velocities."""
-    _set_row(rows, k, side, 0, body, s, lever, (1.0, 0.0, 0.0), sign)
-    _set_row(rows, k, side, 1, body, s, lever, (0.0, 1.0, 0.0), sign)
-    _set_row(rows, k, side, 2, body, s, lever, (0.0, 0.0, 1.0), sign)
+def _set_rows_of(rows, k, side, body, s, lever, friction_lever, axes, sign):
+    """Set the velocity along three axes, of which the first has another lever, by a body's scaled one."""
+    _set_row(rows, k, side, 0, body, s, lever, axes[0], sign)
+    _set_row(rows, k, side, 1, body, s, friction_lever, axes[1], sign)
+    _set_row(rows, k, side, 2, body, s, friction_lever, axes[2], sign)
 
 
 @inline
@@ -88,18 +79,19 @@ def set_rows(contacts, count, held, bodies, poses, system):
         starts[b] = b
     for k in range(count):
         c = contacts[k]
-        _set_rows_of(rows, k, 0, c, bodies[c.a], poses[c.a], lever_a(c), friction_lever_a(c), 1.0)
+        axes = normal_of(c), first_tangent(c), second_tangent(c)
+        _set_rows_of(rows, k, 0, bodies[c.a], poses[c.a], lever_a(c), friction_lever_a(c), axes, 1.0)
         if c.b != ROOM:
-            _set_rows_of(rows, k, 1, c, bodies[c.b], poses[c.b], lever_b(c), friction_lever_b(c), -1.0)
+            _set_rows_of(rows, k, 1, bodies[c.b], poses[c.b], lever_b(c), friction_lever_b(c), axes, -1.0)
             _begin_with(starts, c.a, c.b)
     springs, pulls, _ = held
     for d in range(springs.shape[0]):
         spring, pull = springs[d], pulls[d]
         if damps(spring, pull):
-            k, b, o = count + d, spring.body, spring.other
-            _set_rows_of_device(rows, k, 0, bodies[b], poses[b], lever_of_pull(pull), 1.0)
+            k, b, o, lever, arm = count + d, spring.body, spring.other, lever_of_pull(pull), arm_of_pull(pull)
+            _set_rows_of(rows, k, 0, bodies[b], poses[b], lever, lever, AXES, 1.0)
             if o != ROOM:
-                _set_rows_of_device(rows, k, 1, bodies[o], poses[o], arm_of_pull(pull), -1.0)
+                _set_rows_of(rows, k, 1, bodies[o], poses[o], arm, arm, AXES, -1.0)
                 _begin_with(starts, b, o)
 
 
@@ -296,7 +288,7 @@ def add_pair(matrix, vector, a, b, rows, k, p, d):
 @inline
 def damping_of(pull):
     """Return D of a device in the room's axes."""
-    n, more = normal_of_pull(pull), pull.cn - pull.ct
+    n, more = normal_of(pull), pull.cn - pull.ct
     return (
         (pull.ct + more * n[0] * n[0], more * n[0] * n[1], more * n[0] * n[2]),
         (more * n[1] * n[0], pull.ct + more * n[1] * n[1], more * n[1] * n[2]),
@@ -356,21 +348,13 @@ def by_rows(rows, k, first, a, b, v):
     From row 0 on that is the relative velocity there, and from row 3 on D times it.
     """
     x = y = z = 0.0
-    for i in range(6):
-        w = v[a, i]
-        x, y, z = (
-            x + rows[k, 0, first, i] * w,
-            y + rows[k, 0, first + 1, i] * w,
-            z + rows[k, 0, first + 2, i] * w,
-        )
-    if b != ROOM:
+    for side in range(1 if b == ROOM else 2):
+        body = b if side else a
         for i in range(6):
-            w = v[b, i]
-            x, y, z = (
-                x + rows[k, 1, first, i] * w,
-                y + rows[k, 1, first + 1, i] * w,
-                z + rows[k, 1, first + 2, i] * w,
-            )
+            w = v[body, i]
+            x += rows[k, side, first, i] * w
+            y += rows[k, side, first + 1, i] * w
+            z += rows[k, side, first + 2, i] * w
     return x, y, z
 
 

@@ -1,13 +1,11 @@
 """What the engine in space writes down: poses, what presses on bodies, and what they hit."""
 
-from __future__ import annotations
-
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import in_room
 from stayput.mechanics.space.columns import BY_BODIES, BY_ROOM, HIT_SPEED, ON_BODY, ON_FLOOR, ON_ROOM
-from stayput.mechanics.space.contact import first_tangent, normal_of, second_tangent
+from stayput.mechanics.space.contact import first_tangent, second_tangent
 from stayput.mechanics.space.touching import ROOM
-from stayput.mechanics.space.vectors import added, scaled
+from stayput.mechanics.space.vectors import added, normal_of, scaled
 
 
 @inner
@@ -41,8 +39,7 @@ def note_pressing(histories, sample, contacts, count, h):
     for b in range(histories.shape[0]):
         for axis in range(histories.shape[2] - BY_ROOM):
             histories[b, sample, BY_ROOM + axis] = 0.0
-    for k in range(count):
-        c = contacts[k]
+    for c in contacts[:count]:
         n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
         p = scaled(1.0 / h, added(added(scaled(c.pn, n), c.ps, s), c.pt, t))
         first = BY_ROOM if c.b == ROOM else BY_BODIES

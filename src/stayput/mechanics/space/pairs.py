@@ -5,15 +5,13 @@ each (the separating axis theorem). Where a face separates them most, the face o
 it most is cut to its outline, and what is left of its corners touches; else the two edges touch in one point.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner
 from stayput.mechanics.elementary import sine_and_cosine
 from stayput.mechanics.space.body import in_room, place_of, rotation
 from stayput.mechanics.space.touching import lever_of_point
-from stayput.mechanics.space.vectors import added, cross, dot, norm, tangents
+from stayput.mechanics.space.vectors import added, cross, dot, norm, normal_of, tangents
 
 MOST_TOUCHING = 8
 """Most points in which two bodies touch."""
@@ -67,7 +65,7 @@ def _has_face(body, face):
 @inline
 def _normal(s, face):
     """Return a face's outward normal in the room's axes."""
-    return in_room(s, (face.nx, face.ny, face.nz))
+    return in_room(s, normal_of(face))
 
 
 @inner
@@ -116,6 +114,18 @@ def _is_outside(edge, low, high, corners):
     )
 
 
+@inline
+def _across(along, other, away):
+    """Return the unit vector across two edges that points ``away``, and whether there is one."""
+    n = cross(along, other)
+    size = norm(n)
+    if size <= PARALLEL * norm(along) * norm(other):
+        return n, False
+    if dot(n, away) < 0.0:
+        size = -size
+    return (n[0] / size, n[1] / size, n[2] / size), True
+
+
 @inner
 def _best_edges(a, b, away, best, near, edges, corners):
     """Return the edges of two bodies whose common normal separates them most, how far, and the normal from a.
@@ -133,14 +143,9 @@ def _best_edges(a, b, away, best, near, edges, corners):
         for j in range(b.first_edge, b.first_edge + b.edges):
             if _is_outside(edges[j], low_a, high_a, corners):
                 continue
-            along_b = _along(edges, corners, j)
-            n = cross(along_a, along_b)
-            size = norm(n)
-            if size <= PARALLEL * norm(along_a) * norm(along_b):
+            n, crossed = _across(along_a, _along(edges, corners, j), away)
+            if not crossed:
                 continue
-            if dot(n, away) < 0.0:
-                size = -size
-            n = n[0] / size, n[1] / size, n[2] / size
             # only edges that are outermost along their normal can touch
             reach = dot(n, _corner(corners, edges[i, 0]))
             start = dot(n, _corner(corners, edges[j, 0]))
@@ -298,14 +303,10 @@ def _apart_along(a, s, b, r, axis_of, edges, faces, loops, corners):
         return _least(b if on_a else a, corners, n) - level, n
     i, j = axis_of[0], axis_of[1]
     p, q = _corner(corners, edges[i, 0]), _corner(corners, edges[j, 0])
-    along_a, along_b = _along(edges, corners, i), _along(edges, corners, j)
-    n = cross(along_a, along_b)
-    size = norm(n)
-    if size <= PARALLEL * norm(along_a) * norm(along_b):
+    away = added(place_of(r), -1.0, place_of(s))
+    n, crossed = _across(_along(edges, corners, i), _along(edges, corners, j), away)
+    if not crossed:
         return -math.inf, n
-    if dot(n, added(place_of(r), -1.0, place_of(s))) < 0.0:
-        size = -size
-    n = n[0] / size, n[1] / size, n[2] / size
     apart = _least(b, corners, n) + _least(a, corners, (-n[0], -n[1], -n[2]))
     return apart if dot(n, added(q, -1.0, p)) <= apart + OUTERMOST else -math.inf, n
 

@@ -16,8 +16,6 @@ at least μ N ϱ with ϱ = κ (min |r − p|² − |c − p|²)/(max |r − p| +
 contacts. Together with a force H the body stays, forces being added, where H/(μ N) + M/(μ N ϱ) ≤ 1.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner
@@ -193,8 +191,7 @@ def stays_until(bodies, poses, floor, a0, a1, gravity, part, stances):
 @inline
 def on_floor_alone(contacts, count, b):
     """Return whether a body touched nothing but the floor in the last step."""
-    for k in range(count):
-        c = contacts[k]
+    for c in contacts[:count]:
         if (c.a == b and not c.floor) or c.b == b:
             return False
     return True

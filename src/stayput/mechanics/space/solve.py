@@ -17,8 +17,6 @@ its kinetic one takes over and all is solved again. In an impact (as in the plan
 before: static where the contact did not slip, also of one that closes then, and kinetic where it did.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner
@@ -32,7 +30,6 @@ from stayput.mechanics.space.contact import (
     friction_lever_b,
     lever_a,
     lever_b,
-    normal_of,
     opening,
     push,
     second_tangent,
@@ -40,7 +37,7 @@ from stayput.mechanics.space.contact import (
 )
 from stayput.mechanics.space.newton import improve, set_rows
 from stayput.mechanics.space.touching import ROOM
-from stayput.mechanics.space.vectors import added, cross, dot, norm, scaled, tangents
+from stayput.mechanics.space.vectors import added, cross, dot, norm, normal_of, scaled, tangents
 
 IMPACT = 1e-3
 """Closing velocity from which on a contact bounces [m/s]."""
@@ -266,8 +263,7 @@ def slide(contacts, count, poses, h):
 
     So a step is of second order there. What might come to rest within it takes the velocity after it.
     """
-    for k in range(count):
-        c = contacts[k]
+    for c in contacts[:count]:
         if not c.stuck:
             s, t = slip(c, poses)
             if s * s + t * t > (SLIDES * h) ** 2:
@@ -326,8 +322,7 @@ def any_closes_fast(contacts, count):
 @inner
 def _in_impact(contacts, count, c):
     """Return whether a body of a contact is hit in this step."""
-    for k in range(count):
-        other = contacts[k]
+    for other in contacts[:count]:
         same = other.a == c.a or other.a == c.b or other.b == c.a or (c.b != ROOM and other.b == c.b)
         if same and other.closing < -IMPACT:
             return True
@@ -344,8 +339,7 @@ def _gives(contacts, count, c, poses, h):
 @inner
 def _gives_beside(contacts, count, d, poses, h):
     """Return whether a contact of another pair gives way on one of the bodies of a contact."""
-    for k in range(count):
-        c = contacts[k]
+    for c in contacts[:count]:
         beside = d.a == c.a or d.a == c.b or (d.b != ROOM and (d.b == c.a or d.b == c.b))
         if beside and not c.stood and (d.a != c.a or d.b != c.b) and _gives(contacts, count, c, poses, h):
             return True
@@ -360,8 +354,7 @@ def _let_slip(contacts, count, poses, h):
     that turned back stands, that one goes on to slip: it has not stuck yet.
     """
     slips = False
-    for k in range(count):
-        d = contacts[k]
+    for d in contacts[:count]:
         if d.stood and d.mu > d.mu_kinetic and _gives_beside(contacts, count, d, poses, h):
             d.mu, d.stood = d.mu_kinetic, SLIPS_ON
             slips = True
@@ -392,8 +385,7 @@ def _solve_by_augmented_lagrangian(contacts, count, held, bodies, poses, system,
     """Find the impulses of a step where sweeps have not, beginning with ``ln``, ``ls``, ``lt``."""
     apply(contacts, count, bodies, poses, -1.0)
     closing = speed = 0.0
-    for k in range(count):
-        c = contacts[k]
+    for c in contacts[:count]:
         closing = max(closing, abs(c.closing))
         un, us, ut = beyond_target(c, poses)
         speed = max(speed, max(abs(un), max(abs(us), abs(ut))))
@@ -408,8 +400,7 @@ def _solve_by_augmented_lagrangian(contacts, count, held, bodies, poses, system,
         if not _let_slip(contacts, count, poses, h):
             return residual <= enough
         apply(contacts, count, bodies, poses, -1.0)
-        for k in range(count):
-            c = contacts[k]
+        for c in contacts[:count]:
             c.ln, c.ls, c.lt = c.pn, c.ps, c.pt
     apply(contacts, count, bodies, poses, 1.0)
     return residual <= enough

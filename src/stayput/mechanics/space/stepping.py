@@ -6,8 +6,6 @@ do not change its error is c h³ and that of its halves c h³/4, so that 4/3 of 
 is of the fifth order (Richardson); their difference tells whether it may be as long as it is.
 """
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner
@@ -88,8 +86,7 @@ def _impact(contacts, count, kept, ratio, h):
     Before the first step, whose ``ratio`` is 0, all that does not close counts as closed, so that it sticks.
     """
     first = h
-    for k in range(count):
-        c = contacts[k]
+    for c in contacts[:count]:
         if c.closing < -IMPACT and (kept[c.key, 3] == OPEN or ratio == 0.0):
             first = min(first, 0.5 * h - c.gap / c.closing)
     return first
@@ -122,8 +119,7 @@ def step(world, held, before, after, push, h, shortest, scratch, kept, ratio, wo
     if not any_closes_fast(contacts, count):
         slide(contacts, count, after, h)
     stretch(springs, pulls, after)
-    for b in range(bodies.shape[0]):
-        s = after[b]
+    for s in after:
         s.vx += h * push[0]
         s.vy += h * push[1]
         s.vz += h * push[2]
@@ -145,8 +141,7 @@ def step(world, held, before, after, push, h, shortest, scratch, kept, ratio, wo
         work[1] += 1.0
     land(contacts, count, bodies, before, after)
     stands = 1.0
-    for k in range(count):
-        c = contacts[k]
+    for c in contacts[:count]:
         # one that bears nothing has not slipped either where it does not move: the next step may press it
         c.stuck = 0 if has_slipped(c, after, h) else 1
         c.stood = 1 if c.stuck == 1 and kept[c.key, 3] == 0.0 else 0

@@ -1,12 +1,10 @@
 """Which points of bodies touch which planes of the room, and how far away the others are."""
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import angular_response, bend, in_body, in_room, place_of, rotation
-from stayput.mechanics.space.vectors import added, cross, dot, norm, scaled
+from stayput.mechanics.space.vectors import added, cross, dot, norm, normal_of, scaled
 
 ROOM = -1
 """The other body of a contact with a plane of the room."""
@@ -30,12 +28,6 @@ RIM_POINTS = 9
 
 
 @inline
-def plane_normal(plane):
-    """Return the normal of a plane, into the room."""
-    return plane.nx, plane.ny, plane.nz
-
-
-@inline
 def lever_of_point(s, point):
     """Return a body's point from G, in the room's axes."""
     return in_room(s, (point.x, point.y, point.z))
@@ -55,7 +47,7 @@ def lever_on_rim(s, rim, plane, number, towards, flat):
     angle whose sine is ``flat``, the first in the direction ``towards`` along which the body is pushed, where
     the edge is that of the circle.
     """
-    n = plane_normal(plane)
+    n = normal_of(plane)
     axis, centre = in_room(s, (rim.ax, rim.ay, rim.az)), in_room(s, (rim.x, rim.y, rim.z))
     slope = dot(n, axis)
     down = slope * axis[0] - n[0], slope * axis[1] - n[1], slope * axis[2] - n[2]
@@ -91,7 +83,7 @@ def bend_of_rim(body, s, rim, plane, number, h):
     ω' × r + ω × r', with r' of the lowest point r = c + R d/|d|, d = (n·a) a − n, where the axis is a and the
     centre c. Its normal part is that of the gap.
     """
-    n, axis, spin = plane_normal(plane), in_room(s, (rim.ax, rim.ay, rim.az)), rotation(s)
+    n, axis, spin = normal_of(plane), in_room(s, (rim.ax, rim.ay, rim.az)), rotation(s)
     centre = in_room(s, (rim.x, rim.y, rim.z))
     slope = dot(n, axis)
     down = added(scaled(slope, axis), -1.0, n)
@@ -118,7 +110,7 @@ def may_touch(feature, plane):
 @inline
 def plane_from(s, plane):
     """Return the distance of G from a plane, and the plane's normal in the body's axes."""
-    return dot(plane_normal(plane), place_of(s)) - plane.offset, in_body(s, plane_normal(plane))
+    return dot(normal_of(plane), place_of(s)) - plane.offset, in_body(s, normal_of(plane))
 
 
 @inline
@@ -130,7 +122,7 @@ def gap_of_point(point, height, n):
 @inline
 def gap_of(s, lever, plane):
     """Return the distance of a point, given from G, from a plane: below 0 inside it."""
-    return dot(plane_normal(plane), added(place_of(s), 1.0, lever)) - plane.offset
+    return dot(normal_of(plane), added(place_of(s), 1.0, lever)) - plane.offset
 
 
 @inner

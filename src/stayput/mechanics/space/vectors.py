@@ -1,7 +1,5 @@
 """Vectors and quaternions as tuples of floats, which compiled functions keep in registers."""
 
-from __future__ import annotations
-
 import math
 
 from stayput.compiling import inline
@@ -29,6 +27,12 @@ def added(a, factor, b):
 def scaled(factor, a):
     """Return factor · a."""
     return factor * a[0], factor * a[1], factor * a[2]
+
+
+@inline
+def normal_of(what):
+    """Return the normal of a plane, contact, face or device."""
+    return what.nx, what.ny, what.nz
 
 
 @inline

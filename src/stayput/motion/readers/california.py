@@ -228,7 +228,8 @@ def _cosmos_values(rest: _Lines, kind: str, least: int = 0) -> list[float]:
     values = numbers(fields(some_lines, max(1, int(match[4]))), f"the_{kind}_header").tolist()
     if len(values) != int(match[1]) or len(values) < least:
         wanted = match[1] if len(values) != int(match[1]) else f"≥ {least}"
-        raise InputError("motion.cosmos_header_count", kind=kind, count=len(values), wanted=wanted)
+        name = phrase(f"motion.the_{kind}_header")
+        raise InputError("common.so_many_values", name=name, count=len(values), wanted=wanted)
     return values
 
 

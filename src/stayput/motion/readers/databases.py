@@ -56,11 +56,6 @@ def _peer_header(text: str) -> tuple[list[str], str, int] | None:
     return None
 
 
-def _is_peer(text: str) -> bool:
-    """Return whether one of the first lines states NPTS and DT."""
-    return _peer_header(text) is not None
-
-
 def _direction(title: str) -> tuple[str, str]:
     """Return the direction at the end of a title "event, station, direction", and what stands before it.
 
@@ -157,5 +152,5 @@ def _read_esm(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     return [Channel(label, factor * samples, time_step(step, dt), title, peak, location=place)]
 
 
-PEER = Reader("PEER AT2", _is_peer, _read_peer)
+PEER = Reader("PEER AT2", _peer_header, _read_peer)
 ESM = Reader("ESM ASCII", _is_esm, _read_esm)

@@ -18,7 +18,7 @@ import re
 from itertools import islice
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, excerpt
+from stayput.errors import InputError, excerpt, unknown, word_of
 from stayput.motion.channels import Channel, in_borehole
 from stayput.motion.readers.text import (
     Reader,
@@ -89,8 +89,10 @@ def _read_jma(text: str, unit: str | None, dt: float | None) -> list[Channel]:
         raise lacks("sampling_frequency")
     rate = quantity(stated_rate, ("HZ",), "sampling_frequency")
     factor = acceleration_unit(_jma_entry(header, _JMA_UNIT) or None, unit)
-    if len(set(labels)) < len(labels) or not {"NS", "EW", "UD"}.issuperset(labels):
-        raise InputError("motion.jma_names", names=", ".join(labels))
+    for name in labels:
+        word_of("motion.the_component", name, ("NS", "EW", "UD"))
+        if labels.count(name) > 1:
+            raise InputError("common.twice", name=name)
     # Lines without a value may stand only at the end of the file.
     samples = factor * rows_of(
         text.rstrip(", \t\n"), start, len(labels), lambda line: line.rstrip(", \t").split(",")
@@ -147,7 +149,7 @@ def _read_knet(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     direction = entry("Dir.", "direction")
     label = _KNET_DIRECTIONS.get(direction.replace("-", "").upper())
     if label is None:
-        raise InputError("motion.knet_direction", direction=excerpt(direction))
+        raise unknown("motion.direction", direction, ("N-S", "E-W", "U-D", *"123456"))
     sensor = {"1": ", borehole", "2": ", surface"}.get(label[-1], "")
     station, step = header.get("stationcode", ""), time_step(1.0 / rate, dt)
     origin, note = f"{station}{sensor}, {header.get('origintime', '')}", ", offset removed"

@@ -70,7 +70,7 @@ def file_text(path: str | os.PathLike[str]) -> str:
     except InputError:
         raise
     except (OSError, ValueError) as error:  # of a text that is no path
-        raise InputError("motion.file_unreadable", path=str(path), reason=reason_of(error)) from None
+        raise InputError("common.unreadable", file=repr(str(path)), reason=reason_of(error)) from None
     if not data.strip():
         raise refused("empty")
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
@@ -162,7 +162,7 @@ class Reader(NamedTuple):
     """
 
     name: str
-    recognise: Callable[[str], bool]
+    recognise: Callable[[str], object]
     read: Callable[[str, str | None, float | None], list[Channel]]
 
 

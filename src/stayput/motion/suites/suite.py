@@ -5,15 +5,17 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, cast, overload
 
 import numpy as np
 
-from stayput.errors import InputError, excerpt, list_of, whole_within
+from stayput.errors import InputError, excerpt, list_of, not_allowed, whole_within
+from stayput.execution import Pool
 from stayput.motion.readers import read_shaking
 from stayput.motion.record import Motion
-from stayput.motion.spectrum import DAMPING, PERIODS, spectra
+from stayput.motion.response import DAMPING, PERIODS, checked_periods
 from stayput.motion.suites.folder import naming, records_in
 from stayput.motion.suites.target import DEFAULT_BAND, band_periods, matched
 from stayput.wording import check_language
@@ -137,7 +139,10 @@ class Suite(Sequence[Motion]):
         component : str
             "x", "y" or "z".
         """
-        return np.array([s.sa for s in spectra(self.motions, periods, damping, component)])
+        checked = checked_periods(periods)
+        with Pool() as pool:
+            calls = (partial(motion.spectrum, checked, damping, component) for motion in self.motions)
+            return np.array([spectrum.sa for spectrum in pool.in_order(calls)])
 
     def median(
         self, periods: ArrayLike = PERIODS, damping: float = DAMPING, component: str = "x"
@@ -361,7 +366,7 @@ def read_suite(
     if isinstance(source, str | os.PathLike):
         folder = Path(source)
         if not folder.is_dir():
-            raise InputError("motion.suite_no_folder", path=str(folder))
+            raise not_allowed("motion.the_suite", repr(str(folder)), "motion.folder_of_records", "source")
         title = folder.resolve().name
         motions = records_in(folder, title, component, unit, **options)
     else:

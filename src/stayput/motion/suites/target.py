@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, excerpt, instance_of, list_of, numbers, whole_within, within, word_of
+from stayput.errors import InputError, excerpt, instance_of, numbers, whole_within, within, word_of
 from stayput.execution import Pool
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import of_the_ground
@@ -136,7 +136,7 @@ class TargetSpectrum:
         """Refuse motions of an upper floor where the spectrum is one of the ground."""
         if self.of_the_ground:
             for motion in motions:
-                of_the_ground(motion, "spectrum")
+                of_the_ground(motion, "here")
 
 
 def band_periods(band: tuple[float, float]) -> NDArray[np.float64]:
@@ -147,9 +147,7 @@ def band_periods(band: tuple[float, float]) -> NDArray[np.float64]:
     InputError
         A band out of range, or shorter than a tenth of its start.
     """
-    ends = list_of("band", band)
-    if len(ends) != 2:
-        raise InputError("motion.band_not_two", "band", value=repr(band))
+    ends = numbers("band", band, "band", count=2)
     low = within("motion.name_band_shortest", ends[0], *PERIOD_RANGE, "s", "band")
     high = within("motion.name_band_longest", ends[1], 1.1 * low, PERIOD_RANGE[1], "s", "band")
     return np.geomspace(low, high, max(2, 1 + round(PER_DECADE * np.log10(high / low))))

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.simulation.run import Run
 
 DRIFT_CORNER = 0.1

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.catalogue import Phrase
-    from stayput.fragility import Probability
+    from stayput.fragility.probabilities import Probability
     from stayput.report.room.elevation import CardSizes
     from stayput.rooms.steps import ActionPlan, Fix, PlanStep
 

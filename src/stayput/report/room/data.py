@@ -17,7 +17,8 @@ from stayput.spreadsheets import csv_text
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-    from stayput.fragility import Difference, Probability
+    from stayput.fragility.paired import Difference
+    from stayput.fragility.probabilities import Probability
     from stayput.rooms.steps import ActionPlan, Fix, PlanStep
     from stayput.rooms.verdict import ChangeVerdict, RoomEffect, RoomVerdict
 

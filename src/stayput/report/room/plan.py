@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
-    from stayput.fragility import Probability
+    from stayput.fragility.probabilities import Probability
     from stayput.model.floor_plan import Door, FloorPlan
     from stayput.report.room.sheet import Box
     from stayput.rooms.changes import Change

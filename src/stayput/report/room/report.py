@@ -31,7 +31,7 @@ from stayput.rooms.words import (
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from stayput.fragility import Probability
+    from stayput.fragility.probabilities import Probability
     from stayput.rooms.verdict import RoomVerdict
 
 

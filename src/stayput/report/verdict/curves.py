@@ -5,15 +5,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import say
-from stayput.fragility import JMA_INTENSITY
 from stayput.fragility.curve import CurveState
+from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.report.figures import classes_between
 from stayput.report.verdict import numbers, svg
 from stayput.report.verdict.numbers import word
 from stayput.verification.words import class_label, title
 
 if TYPE_CHECKING:
-    from stayput.fragility import FragilityCurve
+    from stayput.fragility.curve import FragilityCurve
     from stayput.verification import Verdict
 
 

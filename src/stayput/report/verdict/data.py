@@ -22,7 +22,9 @@ from stayput.verification.words import reason
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from stayput.fragility import Difference, FragilityCurve, Probability
+    from stayput.fragility.curve import FragilityCurve
+    from stayput.fragility.paired import Difference
+    from stayput.fragility.probabilities import Probability
     from stayput.measures import Measure
     from stayput.montecarlo.counting import Quantiles
     from stayput.report.verdict.assumptions import Assumption

@@ -10,9 +10,9 @@ import numpy as np
 
 from stayput.catalogue import phrase, say
 from stayput.files import folder_draft
-from stayput.fragility import JMA_INTENSITY
 from stayput.fragility.curve import METHOD, CurveState
 from stayput.fragility.exports import identifiers, in_openquake, nrml_xml, pelicun_csv
+from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.report.fragility import plot_fragility
 from stayput.report.summary import number
 from stayput.report.verdict.assumptions import motions_told
@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
 
-    from stayput.fragility import FragilityCurve, IntensityMeasure
+    from stayput.fragility.curve import FragilityCurve
+    from stayput.fragility.intensity_measures import IntensityMeasure
     from stayput.verification import Verdict
 
 POINTS = 101

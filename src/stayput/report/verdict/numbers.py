@@ -13,7 +13,9 @@ from stayput.wording import FAR, is_open
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from stayput.fragility import Capacity, Difference, Probability
+    from stayput.fragility.curve import Capacity
+    from stayput.fragility.paired import Difference
+    from stayput.fragility.probabilities import Probability
     from stayput.model.room import Room
     from stayput.montecarlo.counting import Quantiles
 

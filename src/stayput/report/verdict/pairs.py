@@ -30,7 +30,7 @@ from stayput.verification.words import title
 
 if TYPE_CHECKING:
     from stayput.montecarlo.counting import Member
-    from stayput.motion import Motion
+    from stayput.motion.record import Motion
     from stayput.scenario.option import Option
     from stayput.simulation.run import Run
     from stayput.verification import Verdict

@@ -6,7 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from stayput.catalogue import say
-from stayput.fragility import JMA_INTENSITY
+from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures.measure import MEANINGS
 from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED
 from stayput.report.names import place_named
@@ -21,7 +21,8 @@ from stayput.wording import with_aside
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
-    from stayput.fragility import Capacity, Probability
+    from stayput.fragility.curve import Capacity
+    from stayput.fragility.probabilities import Probability
     from stayput.montecarlo.counting import Quantiles
     from stayput.verification import Verdict
     from stayput.verification.contents import ContentsVerdict
