@@ -82,7 +82,7 @@ def test_a_cylinder_at_a_wall_touches_it_with_its_circle(heading: float) -> None
 
 
 def test_what_else_is_refused() -> None:
-    assert "number of bodies is 0" in refused([]).told("en")
+    assert "number of pieces is 0" in refused([]).told("en")
     assert "must be 2 numbers" in refused([sp.Piece(BOX)], friction=(0.4, 0.3, 0.2)).told("en")
     assert "must be between 0 and 0.3" in refused([sp.Piece(BOX)], friction=(0.3, 0.4)).told("en")
     with pytest.warns(sp.InputWarning, match="settles by 0.0001 m, which is left out"):
