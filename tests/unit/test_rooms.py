@@ -101,7 +101,7 @@ def test_a_piece_against_a_wall_faces_into_the_room(wall: str, facing: tuple[flo
             "places[1].name is 'bed'; it must not be that of places[0]",
         ),
         ({"doors": [{"wall": "right_wall", "start": 2.2}]}, "must be at most 2.7 m"),
-        ({"doors": [{"wall": "left", "start": 0.2}]}, "left_wall"),
+        ({"doors": [{"wall": "back_wall", "start": 0.2}]}, "back_wall"),
         ({"room": {"left_wall": {"gap": 0.1}}}, "left_wall"),
         ({"plan": {"width": 31.0, "length": 3.0}}, "must be a number between 0.5 and 30 m"),
         ({"room": {"ceiling": {"height": 1.5}}}, "furniture[0] ('bookcase') is 1.8 m high"),

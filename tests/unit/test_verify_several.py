@@ -52,6 +52,7 @@ DRESSER: dict[str, Any] = {
     "shaking": {"sine": {"amplitude": 5.5, "frequency": 0.8, "duration": 3.0}},
     "uncertainty": {"samples": 2},
 }
+SLOW = {"amplitude": 2.5, "frequency": 1.5, "duration": 3.0}
 DRAW = draws_of_several("abc", 1, 1, seed=2)[0][0]
 
 
@@ -123,7 +124,7 @@ def test_measures_of_a_piece_are_in_place_as_stated() -> None:
 @pytest.mark.parametrize(
     ("changed", "said"),
     [
-        ({"options": [option("x", "y", "belt")]}, "no piece"),
+        ({"options": [option("x", "y", "belt")]}, "must be one of .lower., .upper., .vase."),
         ({"options": [option("x", "vase", "belt")]}, "preset"),
         ({"uncertainty": {"installation": 0.5}}, "must be 'well'"),
         (
@@ -244,15 +245,20 @@ def test_a_verdict(verdict: Verdict) -> None:
 def test_a_piece_has_the_runs_that_it_has_alone_in_any_order_with_what_cannot_reach_it() -> None:
     near, far = box("near", 0.3, 1.2, 30.0), box("far", 0.4, 1.0, 40.0, at=[0.0, 30.0], heading=1.5)
     options = [option("sheet", "near", "anti_slip_sheet")]
+    same: dict[str, Any] = {"joints": [], "room": {}, "options": options, "shaking": {"sine": SLOW}}
     verdicts = [
-        sp.verify(parsed(furniture=pieces, joints=[], options=options), progress=False)
+        sp.verify(parsed(furniture=pieces, **same), progress=False)
         for pieces in ([near], [near, far], [far, near])
     ]
-    for each in zip(*(verdict.options for verdict in verdicts), strict=True):
-        runs = [next(piece for piece in option.pieces if piece.name == "near") for option in each]
-        for name in ("overturned", "slid", "hit_wall"):  # a device's failure counts all devices
-            assert len({run.probabilities[name].fell for run in runs}) == 1
+    for name in ("none", "sheet"):
+        runs = [
+            next(piece for piece in option.pieces if piece.name == "near")
+            for verdict in verdicts
+            for option in verdict.options
+            if option.option.name == name
+        ]
         assert len({(run.slide, run.tilt) for run in runs}) == 1
+        assert math.isfinite(runs[0].tilt.p90)
 
 
 def test_a_run_made_again_has_the_motion_that_shook_it() -> None:
@@ -261,6 +267,19 @@ def test_a_run_made_again_has_the_motion_that_shook_it() -> None:
     assert run.motion.y is not None
     assert (np.ptp(run.motion.x), np.ptp(run.motion.y)) == pytest.approx((0.0, np.ptp(motion.x)), abs=1e-9)
     assert np.ptp(run.place[0, :, 1]) > 10.0 * np.ptp(run.place[0, :, 0])
+
+
+def test_a_sweep_has_what_a_run_says_of_what_fell_too() -> None:
+    run, swept = parsed().run(), sp.sweep(parsed(), {"gravity": [9.80665]}, progress=False)
+    assert any(piece.overturned for piece in run.pieces)
+    for name in ("peak_slide", "residual_slide", "peak_tilt", "residual_tilt", "wall_impacts"):
+        for piece in run.names:
+            assert swept[name].sel(piece=piece).item() == getattr(run[piece], name)
+
+
+def test_a_sweep_of_a_single_piece_has_no_dimension_of_pieces() -> None:
+    swept = sp.sweep(parsed(furniture=[VASE], joints=[]), {"gravity": [9.0, 9.8]}, progress=False)
+    assert swept.peak_tilt.dims == ("gravity",)
 
 
 def test_the_bits_do_not_depend_on_threads() -> None:

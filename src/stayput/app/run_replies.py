@@ -52,7 +52,7 @@ class PieceReply(FateReply):
     peak_tilt_rad: float | None = Field(description="Largest angle to how it stood, in any direction.")
     peak_slide_m: float | None = Field(description="Farthest from where it stood, in plan.")
     residual_tilt_rad: float | None
-    residual_slide_m: TwoNumbers | None = Field(description="Along x and y, at the end.")
+    residual_slide_m: TwoNumbers | None = Field(description="Along x and y, until it fell.")
     residual_yaw_rad: float | None = Field(description="Turn about the vertical, at the end.")
     floor_impacts: int
     wall_impacts: int

@@ -121,9 +121,16 @@ def piece_results(run: Run) -> list[dict[str, Any]]:
     """Return the results of each piece as plain values, in SI units that the keys name.
 
     A number that does not exist is None. ``wall_impacts`` counts the hits on the walls and the ceiling, and
-    ``impacts_on_bodies`` those on other pieces. ``place_m`` and ``attitude`` are those at the end.
+    ``impacts_on_bodies`` those on other pieces. ``place_m`` and ``attitude`` are those at the end, what is
+    left of tilt and slide is that until it overturned or fell off.
     """
     lost, plane = run.given_up, run.engine == "plane"
+
+    def left(piece: PieceRun) -> tuple[float, ...]:
+        fell = float(np.fmin(piece.overturn_time, piece.fall_time))  # nan, which sorts last, if it did not
+        last = piece.slide_in_plan[: int(np.searchsorted(run.time, fell)) + 1][-1]
+        return (piece.residual_slide, 0.0) if plane else tuple(last.tolist())
+
     return [
         {
             "name": name,
@@ -135,10 +142,7 @@ def piece_results(run: Run) -> list[dict[str, Any]]:
             "peak_tilt_rad": number(piece.peak_tilt),
             "peak_slide_m": number(piece.peak_slide),
             "residual_tilt_rad": number(piece.residual_tilt),
-            "residual_slide_m": [
-                number(way)
-                for way in ((piece.residual_slide, 0.0) if plane else piece.slide_in_plan[-1].tolist())
-            ],
+            "residual_slide_m": [number(way) for way in left(piece)],
             "residual_yaw_rad": number(piece.yaw[-1]),
             "place_m": [number(part) for part in place[-1].tolist()],
             "attitude": [number(part) for part in attitude[-1].tolist()],

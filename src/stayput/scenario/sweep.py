@@ -121,7 +121,7 @@ def _sweep_scenario(
     with bar(len(cases), "progress.simulating", progress) as advance, Pool(threads) as pool:
         for _ in pool.as_completed(partial(run, number) for number in range(len(cases))):
             advance(1)
-    of_pieces = not scenario.alone
+    of_pieces = len(scenario.names) > 1
     coords: dict[str, Any] = {
         path: range(len(values)) if any(isinstance(value, list | dict) for value in values) else values
         for path, values in lists.items()

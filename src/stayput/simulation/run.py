@@ -84,10 +84,11 @@ class PieceRun:
         When it fell off what it stood on [s], or nan: left that for the floor, or ended lower than it stood
         and touches none of it.
     peak_slide, peak_tilt : float
-        Largest magnitudes [m, rad], at any time, not only at samples; in space the slide at a sample until it
-        overturned or fell off. Tilts are from the position of rest, which is itself tilted over a wedge.
+        Largest magnitudes until it overturned or fell off [m, rad], at any time, not only at samples; in
+        space the slide at a sample, and the tilt too of what fell. Tilts are from the position of rest, which
+        is itself tilted over a wedge.
     residual_slide, residual_tilt : float
-        Values at the end [m, rad].
+        Values at the end, or where it overturned or fell off [m, rad].
     floor_impacts, wall_impacts, body_impacts : int
         How often it landed on the floor, hit the walls and the ceiling, and hit other bodies.
     tilt : ndarray, shape (samples,)

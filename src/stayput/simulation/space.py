@@ -35,10 +35,14 @@ if TYPE_CHECKING:
     from stayput.model.state import State
     from stayput.motion.record import Motion
     from stayput.simulation.groups import Group
+    from stayput.simulation.piece import Piece
     from stayput.simulation.placing import Placed
     from stayput.simulation.scene import Joint, Scene
     from stayput.simulation.space_engine import SpaceTrace
     from stayput.simulation.space_fate import Fate
+
+IMPACTS = ("floor_impacts", "wall_impacts", "body_impacts")
+"""What the hits of a body are counted by."""
 
 ON_FLOOR_WITHIN = 1e-6
 """Height up to which the lowest point of a body is on the floor [m]."""
@@ -198,22 +202,31 @@ def results_of(traced: Trace, time: NDArray[np.float64]) -> NDArray[np.void]:
     time : ndarray, shape (samples,)
         Time [s].
     """
-    trace, pieces = traced.trace, [body.piece for body in traced.bodies]
-    results = np.zeros(len(pieces), RESULT)
+    results = np.zeros(len(traced.bodies), RESULT)
     for body, (result, fate) in enumerate(zip(results, traced.turns_and_fates()[1], strict=True)):
-        end = len(time) - 1 if fate.fell is None else fate.fell
         # the mechanics know of no body that another bears
         fell_off = fate.outcome is Outcome.FELL_OFF
         result["outcome"] = OVERTURNED_OUTCOME if fell_off else OUTCOMES.index(fate.outcome)
-        result["end"] = time[end]
-        # the engine's tilt counts what a body on its round side has rolled
-        seen = fate.fell is not None or pieces[body].round_side is not None
-        result["peak_tilt"] = fate.tilt[: end + 1].max() if seen else trace.peak_tilt[body]
-        result["peak_slide"] = fate.way[: end + 1].max()
-        result["residual_tilt"], result["residual_slide"] = fate.tilt[end], fate.way[end]
-        result["floor_impacts"], result["wall_impacts"] = trace.hit_numbers[body, [ON_FLOOR, ON_ROOM]]
-        result["events"], result["steps"] = trace.hit_numbers[-1, 0], trace.steps
+        result["end"] = time[-1 if fate.fell is None else fate.fell]
+        for name, value in _until_it_fell(fate, traced.trace, body, traced.bodies[body].piece).items():
+            result[name] = value
+        result["floor_impacts"], result["wall_impacts"] = traced.trace.hit_numbers[body, [ON_FLOOR, ON_ROOM]]
+        result["events"], result["steps"] = traced.trace.hit_numbers[-1, 0], traced.trace.steps
     return results
+
+
+def _until_it_fell(fate: Fate, trace: SpaceTrace, body: int, piece: Piece) -> dict[str, float]:
+    """Return the largest and the last slide and tilt of a body, until it overturned or fell off."""
+    end = None if fate.fell is None else fate.fell + 1
+    tilt, way = fate.tilt[:end], fate.way[:end]
+    # the engine's tilt is that at any step, but counts what a body on its round side has rolled
+    seen = fate.fell is not None or piece.round_side is not None
+    return {
+        "peak_slide": float(way.max()),
+        "residual_slide": float(way[-1]),
+        "peak_tilt": float(tilt.max() if seen else trace.peak_tilt[body]),
+        "residual_tilt": float(tilt[-1]),
+    }
 
 
 ENDS = 0.5
@@ -343,12 +356,8 @@ def piece_runs(
                 fate.outcome,
                 overturned,
                 fell_off,
-                float(fate.way[: None if fate.fell is None else fate.fell + 1].max()),
-                float(fate.way[-1]),
-                # of what lies on its round side the largest at any step counts what it has rolled
-                float(trace.peak_tilt[b] if piece.round_side is None else fate.tilt.max()),
-                float(fate.tilt[-1]),
-                *(int(number) for number in trace.hit_numbers[b]),
+                **_until_it_fell(fate, trace, b, piece),
+                **dict(zip(IMPACTS, trace.hit_numbers[b].tolist(), strict=True)),
                 tilt=fate.tilt,
                 slide=fate.way,
                 slide_in_plan=fate.slide,
