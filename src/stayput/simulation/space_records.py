@@ -139,13 +139,13 @@ def _add(body: Any, solid: Solid, floor: np.void, lists: tuple[list[Any], ...]) 
     about = solid.centre_of_gravity
 
     def friction(side: str) -> list[float]:
-        """Return an edge's own static and kinetic friction: nan, or that of all edges for one of both."""
-        own, usual = (
+        """Return an edge's static and kinetic friction: nan, or that of all edges for one of both."""
+        stated, usual = (
             [float(floor[f"{edge}_{kind}_friction"]) for kind in ("static", "kinetic")]
             for edge in (f"{side}_edge", "edge")
         )
-        given = not np.isnan(own).all()
-        return [other if given and math.isnan(mu) else mu for mu, other in zip(own, usual, strict=True)]
+        alike = np.isnan(stated).all()
+        return [mu if alike or mu >= 0.0 else other for mu, other in zip(stated, usual, strict=True)]
 
     back, front = friction("left"), friction("right")
 
