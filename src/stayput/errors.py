@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from stayput.catalogue import TEXTS, is_phrase, phrase, say
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Generator, Iterable
+    from collections.abc import Callable, Collection, Generator, Iterable, Mapping, Sequence
     from typing import Self
 
     import numpy as np
@@ -33,8 +33,8 @@ _LONGEST_QUOTE = 60
 _BEGINNING = 400
 
 
-_CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u200b\u200e\u200f\u2028-\u202e\u2060-\u2069\ufeff]")
-"""Control characters, invisible ones, and those that change the direction of the text."""
+_CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u200b\u200e\u200f\u2028-\u202e\u2060-\u2069\ud800-\udfff\ufeff]")
+"""Control characters, invisible ones, those that change the direction of the text, and halves of a pair."""
 
 
 _SYSTEM = {
@@ -324,9 +324,29 @@ def instance_of(name: str, value: object, kind: type[T] | tuple[type[T], ...]) -
 def name_of(name: str, value: object) -> str:
     """Return what the user calls something, a text without control characters, or raise `InputError`."""
     text = instance_of(name, value, str)
-    if has_control(text):
+    if not text or has_control(text):
         raise not_allowed(name, quoted(text), "common.plain_text", name)
     return text
+
+
+def refuse_same_names(place: str, names: Sequence[str], taken: Mapping[str, Phrase] | None = None) -> None:
+    """Refuse two items of a list that have one name, or one that has a name which is taken already.
+
+    Parameters
+    ----------
+    place : str
+        The list's key.
+    names : sequence of str
+        What its items are called.
+    taken : mapping, optional
+        Names of others, and what these are called in sentences.
+    """
+    seen: dict[str, str | Phrase] = {**(taken or {})}
+    for number, name in enumerate(names):
+        if name in seen:
+            key = f"{place}[{number}].name"
+            raise InputError("scenario.same_name", key, value=repr(name), other=seen[name])
+        seen[name] = f"{place}[{number}]"
 
 
 def list_of(name: str, values: Any, kind: type | tuple[type, ...] = object) -> tuple[Any, ...]:
@@ -342,6 +362,12 @@ def list_of(name: str, values: Any, kind: type | tuple[type, ...] = object) -> t
     return items
 
 
+def _is_number(value: object) -> bool:
+    """Return whether a value is a number, or an array of numbers: no boolean, and no text of one."""
+    kind = getattr(getattr(value, "dtype", None), "kind", None)
+    return kind in "iuf" if kind else isinstance(value, int | float) and not isinstance(value, bool)
+
+
 def numbers(
     name: str | Phrase, values: Any, field: str | None = None, count: int | None = None
 ) -> NDArray[np.float64]:
@@ -349,9 +375,10 @@ def numbers(
     import numpy as np  # which takes its time to load
 
     try:
-        if isinstance(values, str | bytes):
-            raise TypeError
         array = np.array(values, np.float64)
+        items = [values] if hasattr(values, "dtype") else np.array(values, object).flat
+        if not all(map(_is_number, items)):
+            raise TypeError
     except (TypeError, ValueError, OverflowError):
         raise not_allowed(name, repr(values), "common.numbers", field) from None
     if count is not None and array.shape != (count,):
@@ -371,13 +398,10 @@ def finite(name: str | Phrase, value: Any, field: str | None = None) -> float:
     field : str, optional
         Dotted name of the input.
     """
+    if not _is_number(value) or getattr(value, "ndim", 0):
+        raise not_allowed(name, repr(value), "common.number", field)
     try:
-        # "50" is a text, and would stay one; an array of one number, too.
-        if isinstance(value, str | bytes) or getattr(value, "ndim", 0):
-            raise TypeError
         number = float(value)
-    except (TypeError, ValueError):
-        raise not_allowed(name, repr(value), "common.number", field) from None
     except OverflowError:
         raise InputError("common.too_large", field, name=_called(name)) from None
     if not math.isfinite(number):

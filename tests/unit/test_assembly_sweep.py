@@ -71,3 +71,9 @@ def test_values_of_numpy_and_lists() -> None:
             sp.sweep(sp.Scenario.parse(lone), axes, progress=False)
     with pytest.raises(sp.InputError, match="histories is given for a sweep of a scenario"):
         sp.sweep(sp.Scenario.parse(lone), {}, histories=["tilt"], progress=False)
+    with pytest.raises(sp.InputError, match="chunk is given for a sweep of a scenario"):
+        sp.sweep(sp.Scenario.parse(lone), {}, chunk=0, progress=False)
+    with pytest.raises(sp.InputError, match=r"option is 'progres' \(did you mean 'progress'\?\)"):
+        sp.sweep(sp.Scenario.parse(lone), {}, progres=False)  # type: ignore[call-arg]
+    with pytest.raises(sp.InputError, match="is no key of the file"):
+        sp.sweep(TELEVISION, {"furniture[\u0660].mass": [20.0]}, progress=False)

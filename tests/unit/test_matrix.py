@@ -63,7 +63,7 @@ def stated(
     return Stated(piece or {}, tables, refused or {})
 
 
-LONE = "is given where furniture is not a single preset or box"
+LONE = "is given where furniture is not one preset or box"
 OF_ONE = {"three": LONE, "room": LONE}
 BUILDING: dict[str, Any] = {"storeys": 3, "structure": "RC"}
 FEATURES = {

@@ -25,7 +25,7 @@ from stayput.spreadsheets import csv_text
 if TYPE_CHECKING:
     import stayput as sp
 
-HOSTILE = ["<!--<script>", "</script><script>alert(1)</script>", "{{data}}", "{{title}}", "a\u2028b&amp;"]
+HOSTILE = ["<!--<script>", "</script><script>alert(1)</script>", "{{data}}", "{{title}}", "a&amp;b"]
 
 
 @given(st.recursive(st.text(), lambda inside: st.lists(inside) | st.dictionaries(st.text(), inside)))

@@ -126,7 +126,7 @@ def test_the_dataset_has_every_history_and_event_with_its_unit():
     [
         (lambda run: run.named(["a", "b"]), "2 names for 3 pieces"),
         (lambda run: run.named("abc"), "must be a list"),
-        (lambda run: run["body 4"], "no piece body 4 in the run; its pieces are body 1, body 2, body 3"),
+        (lambda run: run["piece 4"], "no piece 'piece 4' in the run; its pieces are piece 1, piece 2"),
         (lambda run: run.peak_tilt, "several pieces"),
         (lambda run: run[0].body, "is a solid"),
     ],

@@ -96,17 +96,20 @@ def test_a_piece_against_a_wall_faces_into_the_room(wall: str, facing: tuple[flo
         ({"places": [{"kind": "bed", "at": [3.4, 1.9]}]}, "reaches out of the room"),
         ({"places": [{"kind": "hammock", "at": [1.0, 1.0]}]}, "hammock"),
         ({"places": [{"kind": "bed", "at": [2.0, 1.9], "low": 0.8}]}, "must be more than low"),
-        ({"places": [{"at": [1.4, 1.9]}, {"at": [2.6, 1.9]}]}, "Two are named 'bed'"),
+        (
+            {"places": [{"at": [1.4, 1.9]}, {"at": [2.6, 1.9]}]},
+            "places[1].name is 'bed'; it must not be that of places[0]",
+        ),
         ({"doors": [{"wall": "right_wall", "start": 2.2}]}, "must be at most 2.7 m"),
         ({"doors": [{"wall": "back_wall", "start": 0.2}]}, "back_wall"),
         ({"room": {"left_wall": {"gap": 0.1}}}, "left_wall"),
         ({"plan": {"width": 31.0, "length": 3.0}}, "must be a number between 0.5 and 30 m"),
-        ({"room": {"ceiling": {"height": 1.5}}}, "“bookcase” is 1.8 m high"),
+        ({"room": {"ceiling": {"height": 1.5}}}, "furniture[0] (“bookcase”) is 1.8 m high"),
         ({"options": [{"name": "none of them"}]}, "options is given beside [plan]"),
     ],
 )
 def test_what_is_wrong_is_refused_with_the_value(tables: dict[str, Any], told: str):
-    with pytest.raises(sp.InputError, match=r"must|missing|unknown|not") as refusal:
+    with pytest.raises(sp.InputError, match=r"must|missing|unknown|not|give") as refusal:
         sp.verify_room(changed(**tables), changes=False, progress=False)
     assert told in str(refusal.value)
     assert refusal.value.told("ja") != str(refusal.value)

@@ -94,6 +94,7 @@ def both_print(file: Path) -> str:
             {"furniture": [{"name": "stone", "mesh": "stone.stl", "unit": "furlong", "mass": 5.0}]},
             "In [furniture[0]]: The unit is 'furlong'; it must be one of",
         ),
+        ({"furniture": 3}, "furniture is 3; it must be a table of name, preset,"),
         (piece(2, width=0.1), "The piece 'vase' needs one shape"),
         (piece(2, cg_offset=[0.0, 0.01]), "The piece 'vase' needs one shape"),
         (piece(0, preset="chest", diameter=0.3), "The piece 'chest' needs one shape"),
@@ -110,7 +111,7 @@ def both_print(file: Path) -> str:
         (joint(slack=0.1), "In [joints[0]]: A joint at one point has a slack of 0.1 m"),
         (joint(second="chest"), "In [joints[0]]: A joint joins 'chest' to itself"),
         (joint(at=[0.0, 0.0, 9.0]), "joints[0] holds 'chest' at a point 8.75 m from its centre of gravity"),
-        ({"static_friction": 0.1}, "Kinetic friction between bodies is 0.3; it must be between 0 and 0.1"),
+        ({"static_friction": 0.1}, "kinetic_friction is 0.3; it must be between 0 and 0.1"),
         ({"shaking": {"record": "none.csv"}}, "In [shaking]: '"),
         (piece(2, at=[0.1, 0.0]), "'chest' and 'vase' begin 0.15 m inside each other"),
         (piece(2, at=[2.0, 0.0, -0.1]), "'vase' begins 0.1 m inside the floor"),
@@ -174,10 +175,10 @@ BESIDE_A_LONE_PIECE: list[tuple[dict[str, Any], str]] = [
     ({"room": {"walls": "concrete"}}, "room.walls is given without plan"),
 ]
 BESIDE_PIECES: list[tuple[dict[str, Any], str]] = [
-    ({"initial": {"tilt": 0.1}}, "initial is given where furniture is not a single preset or box"),
-    ({"everyday": {"drawers": 1}}, "everyday is given where furniture is not a single preset or box"),
-    ({"contents": {}}, "contents is given where furniture is not a single preset or box"),
-    ({"measures": [{"type": "belt"}]}, "measures is given where furniture is not a single preset or box"),
+    ({"initial": {"tilt": 0.1}}, "initial is given where furniture is not one preset or box"),
+    ({"everyday": {"drawers": 1}}, "everyday is given where furniture is not one preset or box"),
+    ({"contents": {}}, "contents is given where furniture is not one preset or box"),
+    ({"measures": [{"type": "belt"}]}, "measures is given where furniture is not one preset or box"),
     ({"dimensions": 2}, "dimensions is 2; it must be 3"),
     (
         {"uncertainty": {"installation": 0.5}},
@@ -209,8 +210,8 @@ def test_one_reader_takes_every_file(tmp_path: Path) -> None:
         False,
     ]
     done = cli("verify", EXAMPLES / "television.toml", "--curves", tmp_path / "out")
-    assert done.stderr.startswith("--curves is given where furniture is not a single preset or box")
-    with pytest.raises(sp.InputError, match="furniture is a list of pieces"):
+    assert done.stderr.startswith("--curves is given where furniture is not one preset or box")
+    with pytest.raises(sp.InputError, match="furniture must here be one preset or box"):
         sp.read_scenario(EXAMPLES / "television.toml").case()
     drum = tmp_path / "drum.toml"
     drum.write_text("[furniture]\ndiameter = 0.5\nheight = 1.6\nmass = 250.0\n")

@@ -81,14 +81,16 @@ def test_a_scene_in_python_runs_as_its_file() -> None:
             "on is 'bookcase'; it must be the name of a piece given before",
         ),
         ({"pieces": [PIECES[0], replace(PIECES[1], at=(0.5, 0.0, 0.0))], "plan": PLAN}, "must be a place on"),
-        ({"pieces": [sp.Piece(BOX, against="left_wall")], "plan": PLAN}, "along is missing"),
-        ({"pieces": [sp.Piece(BOX, name="a"), sp.Piece(BOX, name="a")]}, "Two are named 'a'"),
+        (
+            {"pieces": [sp.Piece(BOX, name="a"), sp.Piece(BOX, name="a")]},
+            "must not be that of pieces[0]",
+        ),
         ({"pieces": PIECES, "plan": PLAN, "room": sp.Room(left_wall=sp.Wall(0.1))}, "beside plan"),
         ({"pieces": [sp.Piece(BOX, (9.0, 0.5, 0.0))], "plan": PLAN}, "pieces[0] reaches"),
-        ({"pieces": [PIECES[0], sp.Piece(BOX, (1.5, 2.5, 0.0))], "plan": PLAN}, "'bookcase'"),
+        ({"pieces": [PIECES[0], sp.Piece(BOX, (1.5, 2.5, 0.0))], "plan": PLAN}, "“bookcase”"),
         (
             {"pieces": PIECES, "plan": PLAN, "room": sp.Room(ceiling=sp.Ceiling(1.9))},
-            "'box' is 2 m high",
+            "pieces[1] (“box”) is 2 m high",
         ),
     ],
 )
@@ -103,11 +105,21 @@ def test_a_place_is_stated_once() -> None:
     for other in ({"at": (1.0, 0.0, 0.0)}, {"heading": 1.0}, {"on": "chest"}):
         with pytest.raises(sp.InputError, match="beside against"):
             sp.Piece(BOX, against="left_wall", along=1.0, **other)
+    for other, message in (
+        ({"along": 1.0}, "along is given without against"),
+        ({"gap": 0.1}, "gap is given without against"),
+        ({"against": "left_wall"}, "against is given without along"),
+        ({"on": "chest", "at": (0.0, 0.0, 5.0)}, r"at\[2\] is given beside on"),
+    ):
+        with pytest.raises(sp.InputError, match=message):
+            sp.Piece(BOX, **other)
     for keys, message in (
         ({"against": "left_wall", "along": 1.0, "at": [0.5, 0.5]}, "at is given beside"),
         ({"against": "left_wall", "along": 1.0, "heading": 0.3}, "heading is given beside"),
         ({"along": 1.0}, "along is given without"),
         ({"gap": 0.1}, "gap is given without"),
+        ({"against": "left_wall"}, "against is given without along"),
+        ({"on": "chest", "at": [0.0, 0.0, 0.4]}, r"at\[2\] is given beside on"),
     ):
         with pytest.raises(sp.InputError, match=message):
             sp.Scenario.parse(

@@ -25,6 +25,23 @@ def refused(bodies: Any, room: sp.Room | None = None, **given: Any) -> sp.InputE
     return caught.value
 
 
+def test_an_edge_takes_from_the_others_what_is_not_said_of_it() -> None:
+    body = sp.Body(width=0.4, height=1.2, mass=80.0, length=0.8)
+
+    def slide(**edge: float) -> float:
+        floor = sp.Floor(static_friction=0.5, kinetic_friction=0.4, **edge)
+        return sp.simulate(body, sp.Room(floor), sp.near_fault()).peak_slide
+
+    bare = slide()
+    assert slide(left_edge_kinetic_friction=0.1) == slide(
+        left_edge_static_friction=0.5, left_edge_kinetic_friction=0.1
+    )
+    assert slide(right_edge_static_friction=0.45) == slide(
+        right_edge_static_friction=0.45, right_edge_kinetic_friction=0.4
+    )
+    assert slide(left_edge_kinetic_friction=0.1) > 2.0 * bare
+
+
 @pytest.mark.parametrize("solid", [BOX, DRUM])
 def test_a_body_that_begins_in_the_floor_or_the_ceiling(solid: sp.Body) -> None:
     sunk = [sp.Piece(solid), sp.Piece(solid, at=(2.0, 0.0, -0.02))]
@@ -65,7 +82,7 @@ def test_a_cylinder_at_a_wall_touches_it_with_its_circle(heading: float) -> None
 
 
 def test_what_else_is_refused() -> None:
-    assert "number of bodies is 0" in refused([]).told("en")
+    assert "number of pieces is 0" in refused([]).told("en")
     assert "must be 2 numbers" in refused([sp.Piece(BOX)], friction=(0.4, 0.3, 0.2)).told("en")
     assert "must be between 0 and 0.3" in refused([sp.Piece(BOX)], friction=(0.3, 0.4)).told("en")
     with pytest.warns(sp.InputWarning, match="settles by 0.0001 m, which is left out"):

@@ -174,7 +174,7 @@ def test_what_is_told_of_what_fell_off() -> None:
     run = became(sp.Piece(CHEST), upper, room=sp.Room(left_wall=sp.Wall(0.14)), friction=(0.2, 0.15))
     time = float(run[1].fall_time)
     english, japanese = sentences(run.named(["chest", "upper part"]))
-    assert english == f"1 of 2 bodies overturned or fell off: upper part at {time:.1f} s."
+    assert english == f"1 of 2 pieces overturned or fell off: upper part at {time:.1f} s."
     assert "落下" in japanese
     assert ("Fell off at", f"{time:.2f} s") in rows(run)
     lower, fallen = summary(run)["pieces"]

@@ -166,14 +166,14 @@ def test_frames_show_each_body_in_its_colour(tmp_path: Path) -> None:
 
 def test_what_became_of_the_bodies() -> None:
     assert sentence(falling().named(["box"])) == "“box” overturned 1.5 s into the motion."
-    assert sentence(spinning().named(NAMES)) == "None of the 3 bodies overturned or fell off."
+    assert sentence(spinning().named(NAMES)) == "None of the 3 pieces overturned or fell off."
     run, other = falling(), spinning()
     both = of_poses(
         (*run.standing, *other.standing),
         np.concatenate([run.place, other.place]),
         np.concatenate([run.attitude, other.attitude]),
     )
-    assert sentence(both.named(["box", *NAMES])) == "1 of 4 bodies overturned or fell off: box at 1.5 s."
+    assert sentence(both.named(["box", *NAMES])) == "1 of 4 pieces overturned or fell off: box at 1.5 s."
     upright = part(run, samples=slice(101))
     assert sentence(upright.named(["box"])) == (
         "“box” did not overturn; it tilted by less than 0.1° and slid by up to 10.0 cm."

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from decimal import Decimal
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -140,7 +142,10 @@ GOOD: tuple[tuple[Callable[..., Any], dict[str, Any]], ...] = (
 )
 """Functions and classes with arguments that they take, or of files that are not there."""
 
-WRONG = (None, "x", math.nan, math.inf, -1, 2.5, [], [[1, 2], [3]], {}, object(), [None], np.array([[1.0]]))
+WRONG = (
+    *(None, "x", "\ud800", math.nan, math.inf, -1, 2.5, True, Decimal(1), Fraction(1, 2)),
+    *([], [[1, 2], [3]], {}, object(), [None], np.array([[1.0]])),
+)
 
 UNCHECKED = {
     (kind, "name") for kind in (sp.Motion, sp.Suite, sp.TargetSpectrum, sp.ShearModel, sp.Fallen)
@@ -172,7 +177,55 @@ def test_what_is_wrong_is_refused_in_a_sentence(
             assert refused.told("ja") != refused.told("en")
 
 
-@pytest.mark.parametrize("number", ["50", b"50"])
-def test_a_text_of_digits_is_not_a_number(number: Any) -> None:
-    with pytest.raises(sp.InputError, match=r"Body mass is b?'50'; it must be a number"):
+@pytest.mark.parametrize(
+    "number", ["50", b"50", True, np.True_, np.array("50"), Decimal(50), Fraction(50), 50 + 0j]
+)
+def test_what_is_not_a_number_is_not_taken_for_one(number: Any) -> None:
+    with pytest.raises(sp.InputError, match=r"Body mass is .*; it must be a number"):
         sp.Body(0.3, 1.8, number)
+    with pytest.raises(sp.InputError, match=r"Place is .*; it must be (numbers|3 numbers)"):
+        sp.Piece(SOLID, at=(0.0, number, 0.0))
+
+
+def test_a_boolean_is_no_number_and_a_number_no_boolean() -> None:
+    for call in (
+        lambda: sp.Joint(0, True, (0.0, 0.0, 0.0)),
+        lambda: sp.simulate(sp.Scene([sp.Piece(SOLID)]), MOTION, gravity=True),
+        lambda: sp.Piece(SOLID, at=np.zeros(3, bool)),  # type: ignore[arg-type]
+        lambda: sp.Door("left_wall", 0.1, 0.8, way_out=math.nan),  # type: ignore[arg-type]
+        lambda: sp.Floor(surface=np.zeros(3)),  # type: ignore[arg-type]
+        lambda: sp.PersonPlace("bed", (1.0, 1.0), 1.0, 2.0, 0.4, 0.7, blocks="no"),  # type: ignore[arg-type]
+    ):
+        with pytest.raises(sp.InputError, match=r"must be (a number|numbers|of type bool|one of)"):
+            call()
+
+
+@pytest.mark.parametrize("step", ["x", math.nan, -1.0])
+def test_a_step_is_checked_in_the_plane_too(step: Any) -> None:
+    with pytest.raises(sp.InputError, match=r"^Step is "):
+        sp.simulate(BODY, ROOM, MOTION, step=step)
+
+
+def test_a_name_is_a_text_that_can_be_written() -> None:
+    for name in ("", "\ud800"):
+        with pytest.raises(sp.InputError, match=r"name is .*; it must be a text of one or more characters"):
+            sp.Piece(SOLID, name=name)
+    run = sp.simulate(sp.Scene([sp.Piece(SOLID), sp.Piece(SOLID, (2.0, 0.0, 0.0))]), MOTION)
+    for names, message in ((["a", "a"], "must not be that of"), (["a", ""], "names is ''")):
+        with pytest.raises(sp.InputError, match=message):
+            run.named(names)
+
+
+def test_a_run_tells_which_pieces_it_has() -> None:
+    run = sp.simulate(sp.Scene([sp.Piece(SOLID), sp.Piece(SOLID, (2.0, 0.0, 0.0))]), MOTION).named(["a", "b"])
+    with pytest.raises(sp.InputError, match=r"name one, as in run\['a'\].peak_slide\. Its pieces are a, b"):
+        _ = run.peak_slide
+    for wrong in (2, -3, 0.0, None, "c"):
+        with pytest.raises(sp.InputError, match=r"no piece .* in the run; its pieces are a, b"):
+            _ = run[wrong]  # type: ignore[index]
+    assert list(run) == list(run.pieces)
+
+
+def test_a_path_with_a_zero_byte_is_refused() -> None:
+    with pytest.raises(sp.InputError, match="null byte"):
+        sp.read_scenario("a\0b")

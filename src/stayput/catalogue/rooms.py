@@ -49,7 +49,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "A room with a plan was given; it must go to verify_room.",
         "部屋（[plan]）が渡されました。verify_roomを使ってください。",
     ),
-    "against_without_along": ("the place along the {wall}", "{wall}沿いの位置"),
     "options_in_a_room": ("beside [plan], where each measure is tried by itself", "[plan]のあるファイル"),
     "no_plan": ("a table with width and length", "幅と奥行きのあるテーブル"),
     "against_without_plan": ("without a [plan]", "[plan]のないファイル"),

@@ -55,15 +55,15 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Pieces of a run.
     "number_of_names": (
         "There are {count} names for {pieces} pieces; give one for each.",
-        "名前が{count}個ありますが、物体は{pieces}個です。それぞれに1つずつ指定してください。",
+        "名前が{count}個ありますが、家具は{pieces}個です。それぞれに1つずつ指定してください。",
     ),
     "no_piece": (
         "There is no piece {value} in the run; its pieces are {allowed}.",
-        "計算結果に{value}という物体はありません。物体は{allowed}です。",
+        "計算結果に{value}という家具はありません。家具は{allowed}です。",
     ),
     "several": (
-        "The run has several pieces; name one, as in run[0].peak_tilt. Its pieces are {allowed}.",
-        "計算結果には複数の物体があります。run[0].peak_tiltのように1つを指定してください。物体は{allowed}です。",
+        "The run has several pieces; name one, as in {example}. Its pieces are {allowed}.",
+        "計算結果には複数の家具があります。{example}のように1つを指定してください。家具は{allowed}です。",
     ),
     "no_body": (
         "What moved is a solid and has no body of furniture.",
@@ -85,7 +85,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "row_rough": ("Steps with rough forces", "力が収束しなかったステップ"),
     "row_floor": ("Floor impacts", "床への衝突"),
     "row_yaw": ("Peak turn in plan", "水平面内の最大回転"),
-    "row_bodies": ("Hits on other bodies", "他の物体への衝突"),
+    "row_bodies": ("Hits on other pieces", "他の家具への衝突"),
     "row_walls": ("Wall impacts", "壁への衝突"),
     "row_walls_and_ceiling": ("Wall and ceiling impacts", "壁と天井への衝突"),
     "row_used": (", {share:.0f} % of its strength", "、強度の{share:.0f}%"),

@@ -14,6 +14,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "table_with_type": ("a table with type", "typeのあるテーブル"),
     "one_of_tables": ("a table with type or combine", "typeかcombineのあるテーブル"),
     "or": (" or ", "、または"),
+    "like_that": ("like that", "前記と同じもの"),
     "one_of": ("one of {names}", "{names}のいずれか"),
     "whole_number": ("a whole number between {low:g} and {high:g}{unit}", "{low:g}～{high:g}{unit}の整数"),
     "number": ("a number between {low:g} and {high:g}{unit}", "{low:g}～{high:g}{unit}の数値"),
@@ -40,8 +41,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "given_before": ("the name of a piece given before it", "それより前にある家具の名前"),
     "of_several": (
-        "furniture is a list of pieces, stands in a [plan], or is no box; here it must be one preset or box, written as [furniture].",
-        "furnitureが家具のリスト、[plan]のある部屋、または直方体以外の形になっています。ここでは[plan]なしの[furniture]（presetか直方体）にしてください。",
+        "furniture must here be one preset or box written as [furniture], without [plan].",
+        "furnitureは、ここでは[plan]なしの[furniture]（presetか直方体）にしてください。",
     ),
     "of_a_solid": ("for a piece that is neither a preset nor a box", "presetでも直方体でもない家具"),
     "no_such_path": (
@@ -50,8 +51,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "installed_well": ("'well' or left out, for several pieces", "複数の家具では'well'（または省略）"),
     "of_a_lone_piece": (
-        "where furniture is not a single preset or box",
-        "1つの家具（[plan]なし、presetか直方体）以外",
+        "where furniture is not one preset or box written as [furniture], without [plan]",
+        "[plan]なしの[furniture]（presetか直方体）以外",
     ),
     "of_pieces": ("for one piece, not a list: [[furniture]]", "リスト（[[furniture]]）ではない1つの家具"),
     "pieces_in_the_plane": ("3 or left out, unless one box stands alone", "直方体1つ以外では3（または省略）"),

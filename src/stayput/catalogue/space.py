@@ -1,4 +1,4 @@
-"""Pictures and animations of bodies in space."""
+"""Pictures and animations of pieces in space."""
 
 TEXTS: dict[str, tuple[str, str]] = {
     # The motion
@@ -23,19 +23,19 @@ TEXTS: dict[str, tuple[str, str]] = {
         "接触力が収束しないか計算量が多すぎるため、計算を打ち切りました。結果は不明です。",
     ),
     "none_fell": (
-        "None of the {count} bodies overturned or fell off.",
-        "{count}個の物体はいずれも転倒・落下しませんでした。",
+        "None of the {count} pieces overturned or fell off.",
+        "{count}個の家具はいずれも転倒・落下しませんでした。",
     ),
     "some_fell": (
-        "{fallen} of {count} bodies overturned or fell off: {which}.",
-        "{count}個の物体のうち{fallen}個が転倒または落下しました：{which}。",
+        "{fallen} of {count} pieces overturned or fell off: {which}.",
+        "{count}個の家具のうち{fallen}個が転倒または落下しました：{which}。",
     ),
     "fell_at": ("{name} at {time:.1f} s", "{name}（{time:.1f}秒）"),
     "up_to_angle": ("up to {angle:.1f}°", "最大{angle:.1f}°"),
     "least_angle": ("less than 0.1°", "0.1°未満"),
     "state": ("tilt {tilt:.1f}°, slide {slide:.1f} cm", "傾き {tilt:.1f}°、移動量 {slide:.1f} cm"),
     # The player
-    "body": ("Body", "物体"),
+    "piece": ("Piece", "家具"),
     "tilt": ("tilt", "傾き"),
     "slide": ("slide", "移動量"),
     "yaw": ("turn in plan", "水平面内の回転"),
@@ -76,7 +76,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "部屋は地盤とともに動きます（記録を2回積分し、{corner:g}\u00a0Hz未満のゆっくりした動きを除いたもの{part}）。",
     ),
     "no_webgl": (
-        "This browser has no WebGL 2, so the bodies are drawn without light and shadows.",
+        "This browser has no WebGL 2, so the pieces are drawn without light and shadows.",
         "このブラウザーはWebGL 2に対応していないため、光や影のない図で表示しています。",
     ),
     # Plots

@@ -102,7 +102,7 @@ def called(name: str) -> Phrase:
     return phrase(f"inventory.input_{name.replace(' ', '_')}")
 
 
-def unreadable(path: Path, error: OSError) -> InputError:
+def unreadable(path: Path, error: Exception) -> InputError:
     """Return the refusal of an input that the system does not let be read."""
     return InputError("common.unreadable", file=repr(str(path)), reason=reason_of(error))
 
@@ -120,7 +120,7 @@ def input_digest(name: str, path: Path) -> str:
             what = phrase("inventory.the", what=called(name))
             raise not_allowed(what, repr(str(path)), "inventory.not_a_file")
         return digest_of(path)
-    except OSError as error:
+    except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
         raise unreadable(path, error) from None
 
 

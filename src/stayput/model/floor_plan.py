@@ -13,7 +13,17 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.catalogue import Phrase, phrase
-from stayput.errors import InputError, list_of, name_of, numbers, too_many, within, word_of
+from stayput.errors import (
+    InputError,
+    instance_of,
+    list_of,
+    name_of,
+    numbers,
+    refuse_same_names,
+    too_many,
+    within,
+    word_of,
+)
 from stayput.model.parameters import check_fields, parameter, quantity
 from stayput.model.room import WALLS, WALLS_AROUND, made_of
 from stayput.wording import name_quoted
@@ -125,6 +135,7 @@ class Door:
         word_of("rooms.wall", self.wall, WALLS_AROUND, "wall")
         word_of("rooms.hinge", self.hinge, HINGES, "hinge")
         word_of("rooms.opens", self.opens, OPENS, "opens")
+        instance_of("way_out", self.way_out, bool)
         name_of("name", self.name)
         check_fields(self)
 
@@ -221,6 +232,7 @@ class PersonPlace:
 
     def __post_init__(self) -> None:
         name_of("name", self.name)
+        instance_of("blocks", self.blocks, bool)
         check_fields(self)
         if not self.low < self.high:
             raise InputError("rooms.heights_in_order", "high", low=self.low, high=self.high)
@@ -302,10 +314,7 @@ class FloorPlan:
                 if end > most + 1e-9:
                     raise InputError("rooms.beyond_wall", f"{kind}[{number}]", end=end, most=most)
         for kind, items in (("doors", self.doors), ("places", self.places)):
-            names = [item.name for item in items]
-            for number, name in enumerate(names):
-                if name in names[:number]:
-                    raise InputError("rooms.same_name", f"{kind}[{number}].name", name=repr(name))
+            refuse_same_names(kind, [item.name for item in items])
         for number, place in enumerate(self.places):
             low, high = place.corners.min(axis=0), place.corners.max(axis=0)
             if (low < -1e-6).any() or (high > np.array([self.width, self.length]) + 1e-6).any():

@@ -124,8 +124,7 @@ class Floor:
 
     def __post_init__(self) -> None:
         check_fields(self)
-        if self.surface != "":
-            word_of("model.surface", self.surface, SURFACES, "surface")
+        word_of("model.surface", self.surface, ("", *SURFACES), "surface")
         flat, edge = (self.static_friction, self.kinetic_friction), self.edge_friction
         each = (flat, edge, self._own("left_edge_", edge), self._own("right_edge_", edge))
         for (base, called), (static, kinetic) in zip(_BASES.items(), each, strict=True):

@@ -44,7 +44,7 @@ _COLOURS = 64  # colours of a GIF
 _SAMPLED = 12  # frames from which these are chosen
 
 _OF_PICTURE = ("tilt", "slide", "yaw", "strip", "shaken", "scene", "tilt_of", "keys", "no_webgl")
-_OF_VIEWS = ("body", "view", "view_free", "view_front", "view_side", "view_top")
+_OF_VIEWS = ("piece", "view", "view_free", "view_front", "view_side", "view_top")
 PLAYER_TEXTS = {
     **{key: f"common.{key}" for key in ("play", "pause", "time", "speed")},
     "theme": "runs.player_theme",

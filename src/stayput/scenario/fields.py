@@ -17,9 +17,8 @@ from stayput.model.parameters import parameter_of, parameters
 from stayput.vocabulary import meant
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+    from collections.abc import Callable, Collection, Iterator
 
-    from stayput.catalogue import Phrase
     from stayput.model.parameters import Parameter
 
 Made = TypeVar("Made")
@@ -158,26 +157,6 @@ def named(names: Collection[str]) -> Any:
     return Field(json_schema_extra={"enum": list(names)})
 
 
-def refuse_same_names(place: str, names: Sequence[str], taken: Mapping[str, Phrase] | None = None) -> None:
-    """Refuse two items of a list that have one name, or one that has a name which is taken already.
-
-    Parameters
-    ----------
-    place : str
-        The list's key.
-    names : sequence of str
-        What its items are called.
-    taken : mapping, optional
-        Names of others, and what these are called in sentences.
-    """
-    seen: dict[str, str | Phrase] = {**(taken or {})}
-    for number, name in enumerate(names):
-        if name in seen:
-            key = f"{place}[{number}].name"
-            raise InputError("scenario.same_name", key, value=repr(name), other=seen[name])
-        seen[name] = f"{place}[{number}]"
-
-
 def _without_control(text: str) -> str:
     if has_control(text):
         raise ValueError
@@ -203,9 +182,10 @@ def checked(table: str, make: Callable[[], Made]) -> Made:
     Raises
     ------
     InputError
-        With the table's name; pydantic carries it on.
+        With the table's name and the key in it; pydantic carries it on.
     """
     try:
         return make()
     except InputError as error:
-        raise error.at(phrase("scenario.in_table", table=table), table) from None
+        field = f"{table}.{error.field}" if error.field else table
+        raise error.at(phrase("scenario.in_table", table=table), field) from None

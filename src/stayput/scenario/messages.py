@@ -159,10 +159,12 @@ def _allowed(node: dict[str, Any], schema: dict[str, Any], value: object = None)
         allowed = [kind for kind in allowed if "properties" not in kind]
     if sum("properties" in kind for kind in allowed) > 1:
         return phrase("scenario.one_of_tables")
-    several = [_in_words(kind, schema) for kind in allowed]
+    first, *others = (_in_words(kind, schema) for kind in allowed)
     english, japanese = (
-        say("scenario.or", language).join(words[place] for words in several)
-        for place, language in enumerate(LANGUAGES)
+        say("scenario.or", language).join(
+            [first[n], *(other[n].replace(first[n], say("scenario.like_that", language)) for other in others)]
+        )
+        for n, language in enumerate(LANGUAGES)
     )
     return english, japanese
 

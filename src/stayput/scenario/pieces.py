@@ -10,7 +10,6 @@ from pydantic import Field, model_validator
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
-from stayput.measures.measure import refuse_conflicts
 from stayput.model.body import Body
 from stayput.model.parameters import SIZE_RANGE, parameters
 from stayput.model.room import WALLS_AROUND
@@ -98,17 +97,11 @@ class PieceTable(ValueTable):
             name, other = "furniture.unit", "furniture.mesh"
             name, other = (name, other) if self.mesh is None else (other, name)
             raise InputError("scenario.needs_both", name, other=other)
-        stated, others = ("at", "heading", "on"), ("along", "gap")
-        if self.against is not None and (both := [*filter(self.says, stated)]):
-            raise InputError("scenario.only_one", f"furniture.{both[0]}", other="furniture.against")
-        if self.against is None and (both := [*filter(self.says, others)]):
-            raise InputError("scenario.needs_both", f"furniture.{both[0]}", other="furniture.against")
-        if self.on is not None and len(self.at) == 3:
-            raise InputError("scenario.only_one", "furniture.at[2]", other="furniture.on")
         if self.measures is not None and not self.is_furniture:
             where = phrase("scenario.of_a_solid")
             raise InputError("common.left_out", "furniture.measures", where=where)
-        checked("furniture", lambda: refuse_conflicts(in_place(self.measures)))
+        any_body = Body.box(1.0, 1.0, 1.0, 1.0)  # a mesh is read when its folder is known
+        checked("furniture", lambda: self.standing(any_body, in_place(self.measures)))
         return self
 
     def _check_shape(self) -> None:
@@ -133,7 +126,7 @@ class PieceTable(ValueTable):
     @property
     def title(self) -> str:
         """What the piece is called."""
-        return self.name or self.preset or "body"
+        return self.name or self.preset or "piece"
 
     @property
     def is_furniture(self) -> bool:

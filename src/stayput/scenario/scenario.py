@@ -11,10 +11,10 @@ from pydantic import Field, PrivateAttr, model_validator
 
 from stayput.catalogue import phrase, say
 from stayput.contents.contents import emptied
-from stayput.errors import InputError, instance_of, no_length, not_allowed, word_of
+from stayput.errors import InputError, instance_of, no_length, not_allowed, refuse_same_names, word_of
 from stayput.measures.measure import refuse_conflicts
 from stayput.motion.suites.suite import Suite
-from stayput.scenario.fields import between, checked, refuse_same_names
+from stayput.scenario.fields import between, checked
 from stayput.scenario.measures import MeasureChoice, UncertaintyTable
 from stayput.scenario.option import NOTHING, Option
 from stayput.scenario.pieces import OptionTable  # noqa: TC001 - pydantic reads the annotations

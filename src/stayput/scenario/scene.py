@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Annotated, Self
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
-from stayput.errors import InputError, no_length, word_of
+from stayput.errors import InputError, no_length, refuse_same_names, within, word_of
 from stayput.model.floor_plan import MOST_PLACES, Door, FloorPlan, Window
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import WALLS_AROUND, Room
-from stayput.scenario.fields import TABLE, between, checked, refuse_same_names
+from stayput.scenario.fields import TABLE, between, checked
 from stayput.scenario.option import AS_STATED, Option
 from stayput.scenario.origin import FromFile
 from stayput.scenario.pieces import JointTable, PieceTable, in_place
@@ -23,7 +23,7 @@ from stayput.scenario.plan import (  # noqa: TC001 - pydantic reads the annotati
     WindowTable,
 )
 from stayput.scenario.tables import RoomTable
-from stayput.simulation.scene import MOST_BODIES, Scene, friction_between, refuse_places
+from stayput.simulation.scene import MOST_BODIES, Scene, refuse_places
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Sequence
@@ -96,10 +96,8 @@ class SceneTables(FromFile):
         for number, piece in enumerate(self.pieces):
             if piece.is_furniture and piece.body().length is None and not self.alone:
                 raise no_length(f"{self.key_of(number)}.length")
-        try:
-            friction_between((self.static_friction, self.kinetic_friction))
-        except InputError as error:
-            raise error.about("kinetic_friction") from None
+        name = "kinetic_friction"
+        within(name, self.kinetic_friction, 0.0, self.static_friction, field=name)
         for number, joint in enumerate(self.joints):
             for key in ("first", "second"):
                 name = f"joints[{number}].{key}"
@@ -122,7 +120,7 @@ class SceneTables(FromFile):
             except InputError as error:
                 raise error.at(error.field or "plan", error.field) from None
         with self._keys():
-            places = [(piece.on, piece.against, piece.along) for piece in self.pieces]
+            places = [(piece.on, piece.against) for piece in self.pieces]
             refuse_places(places, self.names, in_plan=self.plan is not None)
         return self
 

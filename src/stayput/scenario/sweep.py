@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Unpack
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, list_of
+from stayput.errors import InputError, instance_of, list_of, word_of
 from stayput.execution import Pool
 from stayput.measures.element import utilisation
 from stayput.mechanics.devices.columns import HOLDS
@@ -82,6 +82,8 @@ def sweep(case: Case | Scenario, axes: Mapping[Any, Any], **options: Unpack[Swee
     0.5           False  False  True
     """
     instance_of("case", case, (Case, Scenario))
+    for name in options:
+        word_of("option", name, SweepOptions.__annotations__)
     if isinstance(case, Case):
         return sweep_case(case, axes, **options)
     return _sweep_scenario(case, axes, **options)
@@ -98,7 +100,7 @@ def _sweep_scenario(
     import xarray as xr
 
     for name, value in of_a_case.items():
-        if value or name not in SweepOptions.__annotations__:
+        if value or value == 0:
             raise InputError("common.left_out", name, where=phrase("scenario.sweep_of_a_case"))
     lists: dict[str, list[Any]] = {}
     instance_of("axes", axes, Mapping)

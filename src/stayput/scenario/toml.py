@@ -38,8 +38,8 @@ _LITERAL = re.compile(  # strings and comments, up to their end where they are c
 _BRACKET = re.compile(r"[\[\]{}]")
 _BETWEEN_KEYS = re.compile(r"[=,{}\[\]\n]")
 
-_KEY = re.compile(r"[^.\[\]=\s]+(?:\[\d{1,4}\])*(?:\.[^.\[\]=\s]+(?:\[\d{1,4}\])*)*")
-_STEP = re.compile(r"\[(\d+)\]|([^.\[\]]+)")
+_KEY = re.compile(r"[^.\[\]=\s]+(?:\[\d{1,4}\])*(?:\.[^.\[\]=\s]+(?:\[\d{1,4}\])*)*", re.ASCII)
+_STEP = re.compile(r"\[(\d+)\]|([^.\[\]]+)", re.ASCII)
 
 
 def read_toml(file: Path) -> dict[str, object]:
@@ -58,7 +58,7 @@ def read_toml(file: Path) -> dict[str, object]:
     try:
         with file.open("rb") as opened:
             data = opened.read(LARGEST_FILE + 1)
-    except OSError as error:
+    except (OSError, ValueError) as error:  # ValueError: a zero byte in the path
         raise _refused(file, "not_read", reason=reason_of(error)) from None
     return table_of_bytes(data, file)
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, overload
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, list_of, not_allowed, whole_within, word_of
+from stayput.errors import InputError, instance_of, list_of, not_allowed, whole_within, within, word_of
 from stayput.measures.element import device_results
 from stayput.measures.measure import Measure, element_rows, hold
 from stayput.mechanics import columns as col
@@ -197,6 +197,8 @@ def simulate(
     from stayput.mechanics.runner import shaking, trace
 
     start, asked = State() if initial is None else initial, list_of("measures", measures, Measure)
+    if step is not None:
+        step = within("simulation.step", step, 1e-6, 0.01, "s", "step")
     if not isinstance(body, Body) or (body.shape is not None and dimensions != 2):
         from stayput.simulation.space import simulate_scene
 
@@ -208,12 +210,13 @@ def simulate(
     body = checked.body
     refuse_bad_start(body, around, start)
     if checked.in_space:
-        from stayput.simulation.space import checked_step, simulate_held
+        from stayput.simulation.space import simulate_held
+        from stayput.simulation.space_engine import STEP
 
         if contact != "coulomb":
             raise not_allowed("model.contact", repr(contact), "model.coulomb_in_space", "contact")
         placed = hold(body, around, checked.measures, dimensions=3)
-        return simulate_held(placed, element_rows(placed), shaken, start, gravity, checked_step(step))
+        return simulate_held(placed, element_rows(placed), shaken, start, gravity, step or STEP)
     if most_events is not None:
         most_events = whole_within("most_events", most_events, 2, 10**9, "", "most_events")
     held = hold(body, around, checked.measures)

@@ -103,7 +103,8 @@ class Piece:
     Raises
     ------
     InputError
-        A body without a length, a number out of range, or two measures for one place.
+        A body without a length, a number out of range, two measures for one place, or two places of the
+        piece: beside ``against`` there is ``along`` and no other, and what is ``on`` a piece has no height.
 
     Examples
     --------
@@ -151,13 +152,21 @@ class Piece:
         for name in ("name", "on"):
             if getattr(self, name) is not None:
                 name_of(name, getattr(self, name))
-        if self.against is not None:
+        for name in ("along", "gap") if self.along is not None else ("gap",):
+            within(name, getattr(self, name), 0.0, 100.0, "m", name)
+        if self.on is not None and self.at[2] != 0.0:
+            raise InputError("scenario.only_one", "at[2]", other="on")
+        if self.against is None:
+            for name, default in (("along", None), ("gap", BEHIND)):
+                if getattr(self, name) != default:
+                    raise InputError("scenario.needs_both", name, other="against")
+        else:
             word_of("against", self.against, WALLS_AROUND, "against")
+            if self.along is None:
+                raise InputError("scenario.needs_both", "along", name="against", other="along")
             for name in ("at", "heading", "on"):
                 if getattr(self, name) not in (None, 0.0, (0.0, 0.0, 0.0)):
                     raise InputError("scenario.only_one", name, other="against")
-        for name in ("along", "gap") if self.along is not None else ("gap",):
-            within(name, getattr(self, name), 0.0, 100.0, "m", name)
         object.__setattr__(self, "solid", self.body.solid)
 
     @property

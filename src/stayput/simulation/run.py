@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Generic, Literal, TypedDict, TypeVar, Unp
 
 import numpy as np
 
-from stayput.errors import InputError, list_of
+from stayput.errors import InputError, list_of, name_of, refuse_same_names, shown
 from stayput.mechanics.space.columns import PLANE, SPRING
 from stayput.model.state import State
 from stayput.saved import InNetcdf
@@ -17,7 +17,7 @@ from stayput.simulation.space_records import matrices
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Iterator, Mapping, Sequence
     from pathlib import Path
 
     import xarray as xr
@@ -166,8 +166,11 @@ class _OfPiece(Generic[Value]):
     def __init__(self, value: Callable[[PieceRun], Value]) -> None:
         self._value = value
 
+    def __set_name__(self, _: type, name: str) -> None:
+        self._name = name
+
     def __get__(self, run: Run | None, _: type) -> Value:
-        return self if run is None else self._value(run.piece)  # pyright: ignore[reportReturnType]
+        return self if run is None else self._value(run.only_piece(self._name))  # pyright: ignore[reportReturnType]
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
@@ -309,11 +312,14 @@ class Run(InNetcdf):
 
     def __getitem__(self, piece: str | int) -> PieceRun:
         """Return what a piece did, by its name or its number from 0 on."""
-        if isinstance(piece, str):
-            if piece not in self.names:
-                raise InputError("runs.no_piece", "piece", value=piece, allowed=", ".join(self.names))
-            piece = self.names.index(piece)
-        return self.pieces[piece]
+        try:
+            return self.pieces[self.names.index(piece) if isinstance(piece, str) else piece]
+        except (ValueError, TypeError, IndexError):
+            known = ", ".join(self.names)
+            raise InputError("runs.no_piece", "piece", value=shown(piece), allowed=known) from None
+
+    def __iter__(self) -> Iterator[PieceRun]:
+        return iter(self.pieces)
 
     @property
     def piece(self) -> PieceRun:
@@ -324,8 +330,13 @@ class Run(InNetcdf):
         InputError
             There are several.
         """
+        return self.only_piece("outcome")
+
+    def only_piece(self, wanted: str) -> PieceRun:
+        """Return what the only piece did, or refuse what is wanted of several."""
         if len(self.pieces) != 1:
-            raise InputError("runs.several", "piece", allowed=", ".join(self.names))
+            example = f"run[{self.names[0]!r}].{wanted}"
+            raise InputError("runs.several", "piece", example=example, allowed=", ".join(self.names))
         return self.pieces[0]
 
     @property
@@ -339,9 +350,10 @@ class Run(InNetcdf):
         Raises
         ------
         InputError
-            Names that are no texts, or not one for each piece.
+            Names that are no texts, the same twice, or not one for each piece.
         """
-        texts = list_of("names", names, str)
+        texts = tuple(name_of("names", name) for name in list_of("names", names))
+        refuse_same_names("pieces", texts)
         if len(texts) != len(self.pieces):
             raise InputError("runs.number_of_names", "names", count=len(texts), pieces=len(self.pieces))
         return replace(self, names=texts)
@@ -458,5 +470,5 @@ class Run(InNetcdf):
 
 
 def default_names(count: int) -> tuple[str, ...]:
-    """Return what pieces are called that nobody named: "body", or "body 1" and so on."""
-    return ("body",) if count == 1 else tuple(f"body {number}" for number in range(1, count + 1))
+    """Return what pieces are called that nobody named: "piece", or "piece 1" and so on."""
+    return ("piece",) if count == 1 else tuple(f"piece {number}" for number in range(1, count + 1))

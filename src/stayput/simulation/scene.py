@@ -16,13 +16,14 @@ from stayput.errors import (
     list_of,
     not_allowed,
     numbers,
+    refuse_same_names,
     whole_within,
     within,
 )
 from stayput.model.floor_plan import FACING, PLACE_NAMES, FloorPlan, PersonPlace
 from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room, Wall
 from stayput.simulation.convex import inside_each_other
-from stayput.simulation.piece import Piece, vector_of
+from stayput.simulation.piece import BEHIND, Piece, vector_of
 from stayput.simulation.run import default_names
 from stayput.simulation.space_engine import DEEPEST
 from stayput.wording import name_quoted
@@ -117,29 +118,26 @@ MOST_BODIES = 100
 
 
 def refuse_places(
-    stated: Iterable[tuple[str | None, str | None, float | None]], names: Sequence[str], *, in_plan: bool
+    stated: Iterable[tuple[str | None, str | None]], names: Sequence[str], *, in_plan: bool
 ) -> None:
     """Raise `InputError` where a piece stands on none before it, or against a wall of no plan.
 
     Parameters
     ----------
     stated : iterable of tuple
-        Fields ``on``, ``against`` and ``along`` of each `Piece`.
+        Fields ``on`` and ``against`` of each `Piece`.
     names : sequence of str
         What they are called.
     in_plan : bool
         Whether the room has a plan.
     """
-    for number, (on, against, along) in enumerate(stated):
+    for number, (on, against) in enumerate(stated):
         key = f"pieces[{number}]"
         if on is not None and on not in names[:number]:
             raise not_allowed(f"{key}.on", repr(on), "scenario.given_before", f"{key}.on")
         if against is not None and not in_plan:
             where = phrase("rooms.against_without_plan")
             raise InputError("common.left_out", f"{key}.against", where=where)
-        if against is not None and along is None:
-            allowed = phrase("rooms.against_without_along", wall=against)
-            raise InputError("scenario.missing", f"{key}.along", allowed=allowed)
 
 
 @dataclass(frozen=True, slots=True)
@@ -202,16 +200,13 @@ class Scene:
 
     def __post_init__(self) -> None:
         pieces = list_of("pieces", self.pieces, Piece)
-        whole_within("simulation.bodies", len(pieces), 1, MOST_BODIES, "", "pieces")
+        whole_within("simulation.pieces", len(pieces), 1, MOST_BODIES, "", "pieces")
         instance_of("room", self.room, Room)
         if self.plan is not None:
             instance_of("plan", self.plan, FloorPlan)
         names = [piece.name or usual for piece, usual in zip(pieces, default_names(len(pieces)), strict=True)]
-        for number, name in enumerate(names):
-            if name in names[:number]:
-                raise InputError("rooms.same_name", f"pieces[{number}].name", name=repr(name))
-        places = [(piece.on, piece.against, piece.along) for piece in pieces]
-        refuse_places(places, names, in_plan=self.plan is not None)
+        refuse_same_names("pieces", names)
+        refuse_places([(piece.on, piece.against) for piece in pieces], names, in_plan=self.plan is not None)
         put = list[Piece]()
         for number, piece in enumerate(pieces):
             below = None if piece.on is None else put[names.index(piece.on)]
@@ -269,15 +264,18 @@ class Scene:
         for number, piece in enumerate(self.pieces):
             corners = piece.solid.vertices @ piece.turn.T + np.asarray(piece.at)
             low, high = corners.min(axis=0), corners.max(axis=0)
-            key, name = f"pieces[{number}].at", names[number]
-            values: dict[str, Any] = {"name": name}
+            place, name = f"pieces[{number}]", names[number]
+            key = f"{place}.at"
+            values: dict[str, Any] = {"name": place}
+            if piece.name:
+                values["name"] = tuple(f"{place} ({text})" for text in name)
             if (low[:2] < -1e-6).any() or (high[:2] > sides + 1e-6).any():
                 values |= {"width": plan.width, "length": plan.length}
                 for axis, letter in enumerate("xy"):
                     values |= {f"low_{letter}": float(low[axis]), f"high_{letter}": float(high[axis])}
                 raise InputError("rooms.in_a_wall", key, **values)
             if low[2] < -DEEPEST:
-                values |= {"body": name, "depth": -float(low[2]), "surface": phrase("simulation.floor")}
+                values |= {"piece": name, "depth": -float(low[2]), "surface": phrase("simulation.floor")}
                 raise InputError("simulation.begins_inside", key, **values)
             if ceiling is not None and high[2] > ceiling.height + 1e-6:
                 values |= {"high": float(high[2]), "height": ceiling.height}
@@ -300,7 +298,8 @@ def _in_its_place(piece: Piece, key: str, below: Piece | None, plan: FloorPlan |
     if plan is not None and piece.against is not None and piece.along is not None:
         behind = -Piece(piece.body).reach((1.0, 0.0, 0.0))[0]
         x, y = plan.on_wall(piece.against, piece.along, piece.gap + behind)
-        return replace(piece, at=(x, y, 0.0), heading=FACING[piece.against], against=None, along=None)
+        stands: dict[str, Any] = {"at": (x, y, 0.0), "heading": FACING[piece.against]}
+        return replace(piece, **stands, against=None, along=None, gap=BEHIND)
     if below is None:
         return piece
     level = replace(below, at=(0.0, 0.0, 0.0))

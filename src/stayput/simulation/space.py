@@ -10,7 +10,7 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.catalogue.names import PIECES_OF_RUNS
-from stayput.errors import InputWarning, warn, within
+from stayput.errors import InputWarning, warn
 from stayput.measures.element import device_results
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import DEVICE, NONE
@@ -62,11 +62,6 @@ def warn_of_settlement(scene: Scene) -> None:
         warn(InputWarning("simulation.settles", value=depth, pieces=joined(shaped)))
 
 
-def checked_step(step: float | None) -> float:
-    """Return a longest step [s], or raise `InputError`."""
-    return STEP if step is None else within("simulation.step", step, 1e-6, 0.01, "s", "step")
-
-
 def simulate_scene(scene: Scene, motion: Motion, gravity: float, step: float | None = None) -> Run:
     """Simulate a scene in space; see `stayput.simulate`.
 
@@ -75,7 +70,7 @@ def simulate_scene(scene: Scene, motion: Motion, gravity: float, step: float | N
     """
     scene.refuse_wrong_places()
     warn_of_settlement(scene)
-    traced = trace_scene(scene, SpaceShaking.of(motion), GRAVITY.check(gravity), checked_step(step))
+    traced = trace_scene(scene, SpaceShaking.of(motion), GRAVITY.check(gravity), step or STEP)
     run = run_of_trace(traced, scene.joints, scene.around, motion)
     return replace(run, names=scene.names, plan=scene.plan)
 
@@ -194,7 +189,7 @@ def _traced(
 
     def run(group: Group, held: NDArray[np.void]) -> SpaceTrace:
         world = world_of([solids[body] for body in group], [floors[body] for body in group], planes, between)
-        called = [names[body] for body in group] if len(bodies) > 1 else [phrase("simulation.the_body")]
+        called = [names[body] for body in group] if len(bodies) > 1 else [phrase("simulation.the_piece")]
         return run_world(world, poses[[*group]], held, acceleration, dt, step, gravity, lies, called)
 
     trace = run_in_groups(run, solids, poses, np.concatenate(springs), dt)

@@ -107,7 +107,7 @@ def refuse_overlaps(planes: NDArray[np.void], gaps: Gaps, names: Sequence[str | 
             if least < -DEEPEST:
                 surface = phrase(f"simulation.{surface_of(plane)}")
                 raise InputError(
-                    "simulation.begins_inside", "pieces", body=names[number], surface=surface, depth=-least
+                    "simulation.begins_inside", "pieces", piece=names[number], surface=surface, depth=-least
                 )
     for second, first in np.argwhere(np.tril(gaps.bodies < -DEEPEST)).tolist():
         pair: dict[str, Any] = {"first": names[first], "second": names[second]}
