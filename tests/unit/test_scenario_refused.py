@@ -95,7 +95,6 @@ def both_print(file: Path) -> str:
             "In [furniture[0]]: The unit is 'furlong'; it must be one of",
         ),
         ({"furniture": 3}, "furniture is 3; it must be a table of name, preset,"),
-        (piece(1, measures=[{"type": "belt"}, {"type": "belt"}]), "In [furniture[1]]: Belts is given twice"),
         (piece(2, width=0.1), "The piece 'vase' needs one shape"),
         (piece(2, cg_offset=[0.0, 0.01]), "The piece 'vase' needs one shape"),
         (piece(0, preset="chest", diameter=0.3), "The piece 'chest' needs one shape"),
