@@ -95,6 +95,19 @@ def called(name: str, kinds: Mapping[str, Phrase]) -> Phrase:
     return phrase("rooms.numbered", name=kinds[kind], number=number) if number else kinds[kind]
 
 
+def name_quoted(name: str, kinds: Mapping[str, Phrase]) -> Phrase:
+    """Return what something is called in a refusal: "“desk”", "「机」"."""
+    return phrase("rooms.named", name=called(name, kinds))
+
+
+def name_within(name: str, kinds: Mapping[str, Phrase]) -> Phrase:
+    """Return what something is called within a sentence: "the desk", "desk 2", "“My own”"."""
+    default = default_name(name, kinds)
+    if default is None:
+        return phrase("rooms.named", name=name)
+    return called(name, kinds) if default[1] else phrase("rooms.the", name=called(name, kinds))
+
+
 def counted(number: int, noun: str, plural: str | None = None) -> str:
     """Return a number with its noun in English.
 

@@ -160,6 +160,9 @@ def test_a_scenario_file_of_several_pieces_is_read(client: httpx.Client) -> None
     assert names == answer["pieces"]
     one = client.post("/api/v1/scenario/read", json={"toml": '[furniture]\npreset = "chest"'}).json()
     assert one == {"scene": {"furniture": {"preset": "chest"}}, "pieces": []}
+    building = '[shaking]\nbuiltin = "near-fault"\nstorey = 2\nbuilding = { storeys = 3, structure = "S" }'
+    called = client.post("/api/v1/scenario/read", json={"toml": f"{TEXT}\n{building}"}).json()["scene"]
+    assert called["shaking"]["building"]["structure"] == "steel"  # as the fields of the page know it
 
 
 def test_pieces_that_are_refused(client: httpx.Client) -> None:
@@ -188,7 +191,7 @@ def test_the_server_prints_no_warning_of_what_it_is_asked(
     sine = {"sine": {"amplitude": 1.0, "frequency": 1.0, "duration": 2.0}}
     drum = {"name": "drum", "diameter": 0.4, "height": 0.9, "mass": 20.0, "at": [0.0, 3.0]}
     scene = {"furniture": [*PIECES["furniture"], drum], "room": {"floor": floor}, "shaking": sine}
-    with pytest.warns(sp.InputWarning, match="The floor settles by"):
+    with pytest.warns(sp.InputWarning, match="Sinking into the floor, by"):
         Scenario.parse(scene).run()  # which tells it in Python
     recwarn.clear()
     assert client.post("/api/v1/simulate", json={"scene": scene}).status_code == 200

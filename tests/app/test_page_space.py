@@ -264,6 +264,15 @@ def test_a_file_of_several_pieces_is_shown_until_the_scene_changes(it: Opened) -
     assert it.page.locator("#pieces").is_hidden()
 
 
+def test_a_verdict_that_the_server_refuses_of_a_file_says_why(browser: Browser, server: Running) -> None:
+    drum = "[furniture]\ndiameter = 0.5\nheight = 1.6\nmass = 250.0\n[shaking]\nsuite = { count = 2 }\n"
+    with opened(browser, server, verify=True, allowed=("status of 422",)) as it:
+        drop(it, drum)
+        it.page.wait_for_selector("#understand[data-state=refused]")
+        assert "or is no box" in it.page.locator("#verdict").inner_text()
+        assert it.page.locator("#verdict").is_visible()
+
+
 def test_a_file_of_several_pieces_is_kept_by_reload_link_and_history(
     browser: Browser, server: Running
 ) -> None:

@@ -379,6 +379,8 @@ def test_what_the_server_refuses_is_said(browser: Browser, server: Running) -> N
         assert "It must stand beside it." in it.text("#verdict")
         assert "It must stand beside it." in it.text("#plan-problems")
         assert it.page.locator("#plan-problems").is_visible()  # at the thing
+        assert it.page.locator("#answer .stale").is_hidden()  # the refusal is of the room as it is
+        assert it.text("#understand > .stale") == "From the scene before."
         general = {**sentence, "field": "scene.shaking"}
         it.page.route("**/api/v1/room", lambda route: route.fulfill(status=422, json=general))
         it.page.route("**/api/v1/simulate", lambda route: route.fulfill(status=422, json=general))

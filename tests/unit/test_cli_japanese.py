@@ -93,6 +93,15 @@ def test_what_is_printed(arguments: tuple[str, ...]) -> None:
 
 
 @pytest.mark.usefixtures("japanese_font")
+def test_long_cells_are_folded_and_nothing_is_lost(tmp_path: Path) -> None:
+    furniture = "[furniture]\ndiameter = 0.5\nheight = 1.6\nmass = 250.0\n"
+    file = tmp_path / "drum.toml"
+    file.write_text(f'{furniture}[shaking]\nbuiltin = "near-fault"\nscale = 0.01\n', encoding="utf-8")
+    said = re.sub(r"\s", "", japanese("simulate", file))
+    assert "全成分を合わせた最大加速度" in said
+    assert "…" not in said
+
+
 def test_what_is_written_is_named(tmp_path: Path) -> None:
     for arguments in (
         ("motion", "plot", "near-fault", tmp_path / "波形.png"),

@@ -152,10 +152,16 @@ def test_a_scenario_on_standard_input_finds_its_records_in_the_working_folder(he
     assert wrong.stderr.startswith("standard input: ")
 
 
-def test_letters_that_the_terminal_lacks_are_written_out(here: Path) -> None:
+@pytest.mark.parametrize(
+    "given",
+    [
+        {"PYTHONIOENCODING": "ascii"},
+        {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
+    ],
+)
+def test_letters_that_the_terminal_lacks_are_written_out(here: Path, given: dict[str, str]) -> None:
     command = [sys.executable, "-m", "stayput", "simulate", "scenario.toml", "--lang", "ja"]
-    surroundings = os.environ | {"PYTHONIOENCODING": "ascii"}
-    done = subprocess.run(command, env=surroundings, capture_output=True, text=True, timeout=120)
+    done = subprocess.run(command, env=os.environ | given, capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stderr
     assert "Traceback" not in done.stderr
     assert "\\u" in done.stdout

@@ -9,29 +9,54 @@ import pytest
 from report_runs import changed, falling, rocking
 from space_runs import spinning
 
+import stayput as sp
 from stayput.errors import InputError
 from stayput.model.room import Room
-from stayput.report.summary import outcome_named, rows, sentence, summary
+from stayput.report.animation import film_of
+from stayput.report.summary import outcome_named, rows, sentence, sentences, summary
 from stayput.simulation.outcome import EventKind, Outcome
 
 
 @pytest.mark.parametrize(
     ("run", "said"),
     [
-        (falling(), "The crate overturned to the right 2.5 s into the motion after hitting the wall once."),
+        (falling(), "“crate” overturned to the right 2.5 s into the motion after hitting the wall once."),
         (
             falling(-1.0),
-            "The crate overturned to the left 2.5 s into the motion after hitting the wall once.",
+            "“crate” overturned to the left 2.5 s into the motion after hitting the wall once.",
         ),
-        (rocking(), "The crate rocked by up to 2.9° and slid by up to 2.0 cm, and stayed upright."),
+        (rocking(), "“crate” rocked by up to 2.9° and slid by up to 2.0 cm, and stayed upright."),
         (
             changed(rocking(), outcome=Outcome.RESTED),
-            "The crate stayed put: it neither slid nor rocked.",
+            "“crate” stayed put: it neither slid nor rocked.",
         ),
     ],
 )
 def test_the_sentence(run, said):
     assert sentence(run.named(["crate"])) == said
+
+
+def test_names_of_ones_own_are_quoted_and_others_have_an_article():
+    for name, said in (("bookcase", "The bookcase "), ("bookcase 2", "Bookcase 2 "), ("body", "The body ")):
+        assert sentence(rocking().named([name])).startswith(said)
+    assert sentences(rocking().named(["本棚 A"]))[1].startswith("「本棚 A」は")
+
+
+def test_the_peak_is_that_of_what_acted():
+    """In the plane that along the depth, in the table as in the film."""
+    motion = sp.Motion(dt=0.01, x=np.full(401, 3.0), y=np.full(401, 4.0))
+    for run, said in ((rocking(), "along the depth 3.00"), (spinning(), "of all components 5.00")):
+        shaken = dataclasses.replace(run, motion=motion)
+        assert f"peak {said} m/s²" in rows(shaken)[0][1]
+        assert f"peak {said} m/s²" in film_of(shaken, "en").strip_title
+
+
+def test_a_run_shows_itself_with_the_names_of_several_pieces():
+    run = spinning().named(["cupboard", "drum", "vase"])
+    assert "cupboard: " in repr(run)
+    assert repr(run["drum"]).startswith(f"PieceRun({run['drum'].outcome.value}")
+    assert repr(run["drum"])[len("PieceRun(") : -1] in repr(run)
+    assert "crate" not in repr(rocking().named(["crate"]))
 
 
 # in the plane nothing falls off another body, or rolls

@@ -92,7 +92,7 @@ def test_a_piece_against_a_wall_faces_into_the_room(wall: str, facing: tuple[flo
         ({"furniture": piece(along=None)}, "along"),
         ({"furniture": piece(along=0.2)}, "must be between 0 and 3.6 m along x"),
         ({"furniture": [*piece(), {**piece(along=1.5)[0], "name": "other"}]}, "must stand beside it"),
-        ({"places": [{"kind": "bed", "at": [1.2, 1.9], "heading": 1.5707963}]}, "into 'bed'"),
+        ({"places": [{"kind": "bed", "at": [1.2, 1.9], "heading": 1.5707963}]}, "into “bed”"),
         ({"places": [{"kind": "bed", "at": [3.4, 1.9]}]}, "reaches out of the room"),
         ({"places": [{"kind": "hammock", "at": [1.0, 1.0]}]}, "hammock"),
         ({"places": [{"kind": "bed", "at": [2.0, 1.9], "low": 0.8}]}, "must be more than low"),
@@ -104,7 +104,7 @@ def test_a_piece_against_a_wall_faces_into_the_room(wall: str, facing: tuple[flo
         ({"doors": [{"wall": "back_wall", "start": 0.2}]}, "back_wall"),
         ({"room": {"left_wall": {"gap": 0.1}}}, "left_wall"),
         ({"plan": {"width": 31.0, "length": 3.0}}, "must be a number between 0.5 and 30 m"),
-        ({"room": {"ceiling": {"height": 1.5}}}, "furniture[0] ('bookcase') is 1.8 m high"),
+        ({"room": {"ceiling": {"height": 1.5}}}, "furniture[0] (“bookcase”) is 1.8 m high"),
         ({"options": [{"name": "none of them"}]}, "options is given beside [plan]"),
     ],
 )

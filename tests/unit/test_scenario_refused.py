@@ -210,9 +210,13 @@ def test_one_reader_takes_every_file(tmp_path: Path) -> None:
         False,
     ]
     done = cli("verify", EXAMPLES / "television.toml", "--curves", tmp_path / "out")
-    assert done.stderr.startswith("--curves is given with a file of several pieces")
+    assert done.stderr.startswith("--curves is given where furniture is not one preset or box")
     with pytest.raises(sp.InputError, match="furniture must here be one preset or box"):
         sp.read_scenario(EXAMPLES / "television.toml").case()
+    drum = tmp_path / "drum.toml"
+    drum.write_text("[furniture]\ndiameter = 0.5\nheight = 1.6\nmass = 250.0\n")
+    for flags in (("--curves", tmp_path / "out"), ("--measure", "belt")):
+        assert cli("verify", drum, *flags).stderr.startswith(f"{flags[0]} is given where furniture is not")
 
 
 def test_a_table_in_a_room_is_a_list_of_one() -> None:

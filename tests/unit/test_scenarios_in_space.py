@@ -162,6 +162,15 @@ def test_what_is_refused() -> None:
         Scenario.parse({"furniture": own, "dimensions": 3})
 
 
+def test_what_does_not_sink_is_named() -> None:
+    drum = {"name": "my drum", "diameter": 0.4, "height": 0.9, "mass": 20.0}
+    floor = {"static_friction": 0.6, "kinetic_friction": 0.5, "settlement": 0.0005}
+    still = {"sine": {"amplitude": 0.1, "frequency": 1.0, "duration": 0.1}}
+    scenario = Scenario.parse({"furniture": drum, "room": {"floor": floor}, "shaking": still})
+    with pytest.warns(sp.InputWarning, match="by 0.5 mm, is left out for “my drum”"):
+        scenario.run()
+
+
 def test_flags_beside_a_file_of_several_pieces() -> None:
     """Those of the shaking and the room hold, those of one piece are refused."""
     weak = json.loads(run("simulate", DRESSER, "--set", "shaking.scale=0.05", "--json"))
@@ -169,7 +178,7 @@ def test_flags_beside_a_file_of_several_pieces() -> None:
     for flags in (["--body", "0.4x1x10"], ["--measure", "belt"]):
         said = cli("simulate", DRESSER, *flags)
         assert said.exit_code == 2
-        assert f"{flags[0]} is given with a file of several pieces" in said.output
+        assert f"{flags[0]} is given where furniture is not a single preset or box" in said.output
     said = cli("simulate", DRESSER, "--set", "furniture.mass=0")  # of all pieces; of the first by the place
     assert "furniture[0].mass is 0" in said.output
 

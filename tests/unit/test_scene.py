@@ -87,10 +87,10 @@ def test_a_scene_in_python_runs_as_its_file() -> None:
         ),
         ({"pieces": PIECES, "plan": PLAN, "room": sp.Room(left_wall=sp.Wall(0.1))}, "beside plan"),
         ({"pieces": [sp.Piece(BOX, (9.0, 0.5, 0.0))], "plan": PLAN}, "pieces[0] reaches"),
-        ({"pieces": [PIECES[0], sp.Piece(BOX, (1.5, 2.5, 0.0))], "plan": PLAN}, "'bookcase'"),
+        ({"pieces": [PIECES[0], sp.Piece(BOX, (1.5, 2.5, 0.0))], "plan": PLAN}, "“bookcase”"),
         (
             {"pieces": PIECES, "plan": PLAN, "room": sp.Room(ceiling=sp.Ceiling(1.9))},
-            "pieces[1] ('box') is 2 m high",
+            "pieces[1] (“box”) is 2 m high",
         ),
     ],
 )

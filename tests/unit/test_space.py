@@ -25,6 +25,23 @@ def refused(bodies: Any, room: sp.Room | None = None, **given: Any) -> sp.InputE
     return caught.value
 
 
+def test_an_edge_takes_from_the_others_what_is_not_said_of_it() -> None:
+    body = sp.Body(width=0.4, height=1.2, mass=80.0, length=0.8)
+
+    def slide(**edge: float) -> float:
+        floor = sp.Floor(static_friction=0.5, kinetic_friction=0.4, **edge)
+        return sp.simulate(body, sp.Room(floor), sp.near_fault()).peak_slide
+
+    bare = slide()
+    assert slide(left_edge_kinetic_friction=0.1) == slide(
+        left_edge_static_friction=0.5, left_edge_kinetic_friction=0.1
+    )
+    assert slide(right_edge_static_friction=0.45) == slide(
+        right_edge_static_friction=0.45, right_edge_kinetic_friction=0.4
+    )
+    assert slide(left_edge_kinetic_friction=0.1) > 2.0 * bare
+
+
 @pytest.mark.parametrize("solid", [BOX, DRUM])
 def test_a_body_that_begins_in_the_floor_or_the_ceiling(solid: sp.Body) -> None:
     sunk = [sp.Piece(solid), sp.Piece(solid, at=(2.0, 0.0, -0.02))]

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
+from matplotlib.patches import Rectangle
 from space_runs import BOX, DRUM, DT, SHAKE, TIME, falling, of_poses, spinning
 
 import stayput as sp
@@ -164,7 +165,7 @@ def test_frames_show_each_body_in_its_colour(tmp_path: Path) -> None:
 
 
 def test_what_became_of_the_bodies() -> None:
-    assert sentence(falling().named(["box"])) == "The box overturned 1.5 s into the motion."
+    assert sentence(falling().named(["box"])) == "“box” overturned 1.5 s into the motion."
     assert sentence(spinning().named(NAMES)) == "None of the 3 pieces overturned or fell off."
     run, other = falling(), spinning()
     both = of_poses(
@@ -175,12 +176,12 @@ def test_what_became_of_the_bodies() -> None:
     assert sentence(both.named(["box", *NAMES])) == "1 of 4 pieces overturned or fell off: box at 1.5 s."
     upright = part(run, samples=slice(101))
     assert sentence(upright.named(["box"])) == (
-        "The box did not overturn; it tilted by less than 0.1° and slid by up to 10.0 cm."
+        "“box” did not overturn; it tilted by less than 0.1° and slid by up to 10.0 cm."
     )
     still = part(other, bodies=slice(1))
-    assert sentence(still.named(["box"])) == "The box stayed put: it neither slid nor rocked."
+    assert sentence(still.named(["box"])) == "“box” stayed put: it neither slid nor rocked."
     landed = sp.simulate(sp.Piece(BOX, (0.0, 0.0, 0.1)), sp.Room(), sp.Motion(dt=0.01, x=np.zeros(100)))
-    assert sentence(landed.named(["box"])).startswith("The box did not overturn; it tilted by less than 0.1°")
+    assert sentence(landed.named(["box"])).startswith("“box” did not overturn; it tilted by less than 0.1°")
 
 
 def test_the_plot_shows_the_histories_and_the_ways_in_plan() -> None:
@@ -197,6 +198,24 @@ def test_the_plot_shows_the_histories_and_the_ways_in_plan() -> None:
     assert np.ptp(last.get_xdata()) > 1.7
     assert [text.get_text() for text in plan.get_legend().get_texts()] == ["crate"]
     assert figure.get_suptitle() == ""
+
+
+def test_the_plot_of_a_room_has_its_walls_and_windows() -> None:
+    window = sp.Window("far_side_wall", start=1.0, width=2.0)
+    plan = sp.FloorPlan(4.0, 3.0, windows=[window])
+    run = dataclasses.replace(falling().named(["crate"]), plan=plan)
+    *_, axis = plot_run(run, title="A room").axes
+    assert (axis.get_xlabel(), axis.get_ylabel()) == (
+        "x, from the left wall [m]",
+        "y, from the near wall [m]",
+    )
+    (walls,) = (patch for patch in axis.patches if isinstance(patch, Rectangle))
+    assert walls.get_bbox().extents == pytest.approx([0.0, 0.0, 4.0, 3.0])
+    (opening,) = (line for line in axis.lines if line.get_linewidth() == 2.5)
+    assert set(zip(*opening.get_data(), strict=True)) == {(1.0, 3.0), (3.0, 3.0)}
+    low, high = axis.get_xlim()
+    assert -0.5 < low < 0.0
+    assert 4.0 < high < 4.5
 
 
 def test_a_still_run_of_several_bodies_is_plotted_in_japanese() -> None:

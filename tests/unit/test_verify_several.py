@@ -17,7 +17,7 @@ from stayput.model.room import SURFACES
 from stayput.model.soft_base import rigid_half_base
 from stayput.montecarlo.sampling import draws
 from stayput.montecarlo.several import drawn_scene, draws_of_several, replay
-from stayput.report.verdict.assumptions import settlement_assumptions
+from stayput.report.verdict.assumptions import assumptions, assumptions_of_room, settlement_assumptions
 from stayput.report.verdict.pairs import replay_of_several
 from stayput.scenario import Scenario
 from stayput.simulation.placing import placed
@@ -214,6 +214,30 @@ def test_what_a_soft_floor_leaves_out_is_said() -> None:
     assert only.startswith(stacks)
     assert len(said([box, carried, alone], "tatami, along the weave")) == 2
     assert said([box, carried, alone], "locked caster") == []
+
+
+def test_assumptions_are_of_what_is_there() -> None:
+    """No friction between pieces of one piece, and nothing of walls that no device is fixed to."""
+    fixing, between = "What devices are fixed to in the wall behind", "Friction between the pieces"
+
+    def tags(**changed: Any) -> dict[str, str]:
+        few = {"uncertainty": {"samples": 1}, "shaking": {"builtin": "near-fault", "scale": 0.01}}
+        scenario = Scenario.parse({**DRESSER, **few, **changed})
+        if scenario.plan is None:
+            return {one.what[0]: one.confidence for one in assumptions(sp.verify(scenario))}
+        verdict = sp.verify_room(scenario, changes=False)
+        return {one.what[0]: one.confidence for one in assumptions_of_room(verdict)}
+
+    drum = {"name": "drum", "diameter": 0.3, "height": 0.7, "mass": 5.0}
+    alone = {"furniture": drum, "joints": [], "room": {"left_wall": {"gap": 0.1}}}
+    assert tags(**alone).keys().isdisjoint({fixing, between})
+    assert tags()[between] == "given"
+    assert fixing in tags()
+    by_default = tags(static_friction=0.4, kinetic_friction=0.3)
+    assert by_default[between] == "given"  # as the file says it, though it is the default
+    plan: dict[str, Any] = {"plan": {"width": 3.0, "length": 3.0}, "joints": [], "room": {}}
+    piece = {**drum, "at": [1.5, 1.5]}
+    assert tags(**plan, furniture=[piece]).keys().isdisjoint({fixing, between})
 
 
 def test_a_bracket_that_reaches_the_wall_does_in_every_draw() -> None:

@@ -81,10 +81,9 @@ def _add_general(router: APIRouter, service: Service) -> None:
         """Return a scenario file as a scene."""
 
         def work() -> Response:
-            scene = table_of_toml(body.toml, Path(body.name))
-            checked = service.scene(scene)
+            checked = service.scene(table_of_toml(body.toml, Path(body.name)))
             pieces = () if checked.alone else checked.names
-            return json_response(replies.SceneReply(scene=scene, pieces=list(pieces)))
+            return json_response(replies.SceneReply(scene=checked.stated_keys(), pieces=list(pieces)))
 
         return await service.workers.run(work)
 

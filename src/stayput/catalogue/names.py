@@ -28,6 +28,9 @@ PIECES = {
 ANY_PIECE = ("piece of furniture", "家具")
 """A piece that is no preset."""
 
+PIECES_OF_RUNS = {**PIECES, "piece": ("piece", "家具"), ANY_PIECE[0]: ANY_PIECE}
+"""What pieces of a run are called that have no name of their own."""
+
 CONTENTS: dict[str, tuple[str, str]] = {
     "books": ("Books", "本"),
     "files": ("Files", "ファイル"),

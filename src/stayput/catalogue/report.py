@@ -161,11 +161,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "axis_time": ("Time [s]", "時刻 [s]"),
     "motion_shown": (
-        (
-            "Motion {number} of {count}: {name}; peak acceleration of the floor, all components together, {peak:.2f} m/s². "
-            "Shown from {start} to {end} s of {duration} s."
-        ),
-        "地震動 {number}/{count}：{name}、床の全成分を合わせた最大加速度 {peak:.2f} m/s²。全{duration}秒のうち{start}～{end}秒を表示。",
+        ("Motion {number} of {count}: {name}; {peak}. Shown from {start} to {end} s of {duration} s."),
+        "地震動 {number}/{count}：{name}、{peak}。全{duration}秒のうち{start}～{end}秒を表示。",
     ),
     "estimates": ("Quick estimates, to compare", "簡易式による目安"),
     "estimates_text": (

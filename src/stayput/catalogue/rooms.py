@@ -67,8 +67,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "far_side_wall": ("far wall", "奥の壁"),
     # Within a sentence: what has a name of the user's own is quoted, what has none has an article
     "the": ("the {name}", "{name}"),
-    "the_piece": ("the {name}", "「{name}」"),
-    "a_numbered_piece": ("{name}", "「{name}」"),
     "named": ("“{name}”", "「{name}」"),
     # What there are several of and has no name of its own
     "numbered": ("{name} {number}", "{name}{number}"),

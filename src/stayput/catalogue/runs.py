@@ -2,30 +2,30 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     # What became of a run, in one sentence.
-    "rested": ("The {name} stayed put: it neither slid nor rocked.", "{name}は動きませんでした。"),
+    "rested": ("{name} stayed put: it neither slid nor rocked.", "{name}は動きませんでした。"),
     "slid": (
-        "The {name} slid by {slide} without rocking{hits}, and stayed upright.",
+        "{name} slid by {slide} without rocking{hits}, and stayed upright.",
         "{name}は{hits}{slide}滑りましたが、倒れませんでした。",
     ),
     "rocked": (
-        "The {name} rocked by {tilt} and slid by {slide}{hits}, and stayed upright.",
+        "{name} rocked by {tilt} and slid by {slide}{hits}, and stayed upright.",
         "{name}は{hits}{tilt}揺れ動き、{slide}滑りましたが、倒れませんでした。",
     ),
     "rocked_only": (
-        "The {name} rocked by {tilt}{hits}, and stayed upright.",
+        "{name} rocked by {tilt}{hits}, and stayed upright.",
         "{name}は{hits}{tilt}揺れ動きましたが、倒れませんでした。",
     ),
     "leaning": (
-        "The {name} did not overturn but was left leaning to the {side}{hits}.",
+        "{name} did not overturn but was left leaning to the {side}{hits}.",
         "{name}は{hits}倒れませんでしたが、{side}へ寄りかかったまま止まりました。",
     ),
     "overturned": (
-        "The {name} overturned to the {side} {time:.1f} s into the motion{hits}.",
+        "{name} overturned to the {side} {time:.1f} s into the motion{hits}.",
         "{name}は{hits}揺れ始めから{time:.1f}秒後に{side}へ倒れました。",
     ),
     "failed": (
         (
-            "The {name} could not be followed beyond {end:.2f} s, because too many events "
+            "{name} could not be followed beyond {end:.2f} s, because too many events "
             "crowded together, so this run says nothing about whether it stands."
         ),
         "{name}の動きは{end:.2f}秒より先を計算できませんでした。倒れるかどうかは分かりません。",
@@ -71,10 +71,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # The results of a run, a row each.
     "row_motion": ("Motion", "地震動"),
-    "row_motion_value": (
-        "{name}, {duration:g} s, peak along the depth {peak:.2f} m/s²",
-        "{name}、{duration:g}秒、奥行き方向の最大加速度 {peak:.2f} m/s²",
-    ),
+    "row_motion_value": ("{name}, {duration:g} s, {peak}", "{name}、{duration:g}秒、{peak}"),
+    "motion_title": ("{name}, {peak}", "{name}、{peak}"),
+    "peak_along_depth": ("peak along the depth {peak:.2f} m/s²", "奥行き方向の最大加速度 {peak:.2f} m/s²"),
     "row_outcome": ("Outcome", "結果"),
     "row_overturned": ("Overturned at", "転倒した時刻"),
     "row_fell_off": ("Fell off at", "落下した時刻"),
@@ -100,7 +99,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "open_side": (" (there is no wall to stop it)", "（止める壁がありません）"),
     "synthetic": ("{name} (synthetic)", "{name}（模擬）"),
     # Animations.
-    "piece": ("piece", "家具"),
     "player_theme": ("Light / dark", "明るい配色／暗い配色"),
     "recorded_on": ("{name}, recorded on {floor}", "{name}（{floor}の記録）"),
     "unnamed": ("a motion without a name", "名前のない地震動"),

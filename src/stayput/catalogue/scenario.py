@@ -57,7 +57,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "of_pieces": ("for one piece, not a list: [[furniture]]", "リスト（[[furniture]]）ではない1つの家具"),
     "pieces_in_the_plane": ("3 or left out, unless one box stands alone", "直方体1つ以外では3（または省略）"),
     "sweep_of_a_case": ("for a sweep of a scenario, not of a Case", "シナリオのsweep"),
-    "flag_of_one": ("with a file of several pieces", "複数の家具のファイル"),
     "beside_support": (
         "{name} = {value} must be a place on {other}: x of {low_x:.3g} to {high_x:.3g} m and y of {low_y:.3g} to {high_y:.3g} m from its middle.",
         "{name} = {value}は{other}の上の位置にしてください（中央からxは{low_x:.3g}～{high_x:.3g} m、yは{low_y:.3g}～{high_y:.3g} m）。",

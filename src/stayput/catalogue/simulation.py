@@ -46,8 +46,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}の点が{piece}の重心から{apart:.3g} m離れています。対角線の2倍の{most:.3g} m以内にしてください。",
     ),
     "settles": (
-        "The floor settles by {value} m, which is left out for the solids that stand on it.",
-        "床の沈み込み（{value} m）は、床に置いた立体については考慮していません。",
+        "Sinking into the floor, by {value:g} mm, is left out for {pieces}: it is computed for boxes alone.",
+        "{pieces}については、床への沈み込み（{value:g} mm）を考慮していません（沈み込みは直方体だけで計算します）。",
     ),
     "chunk": ("Chunk", "一度に計算するケース数"),
     "tolerance": ("Tolerance", "許容誤差"),

@@ -2,27 +2,20 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     # The motion
-    "row_motion_value": (
-        "{name}, {duration:g} s, peak of all components {peak:.2f} m/s²",
-        "{name}、{duration:g}秒、全成分を合わせた最大加速度 {peak:.2f} m/s²",
-    ),
-    "motion_title": (
-        "{name}, peak of all components {peak:.2f} m/s²",
-        "{name}、全成分を合わせた最大加速度 {peak:.2f} m/s²",
-    ),
+    "peak_of_all": ("peak of all components {peak:.2f} m/s²", "全成分を合わせた最大加速度 {peak:.2f} m/s²"),
     # What became of them
     "upright": (
-        "The {name} did not overturn; it tilted by {tilt} and slid by {slide}.",
+        "{name} did not overturn; it tilted by {tilt} and slid by {slide}.",
         "{name}は転倒しませんでした（傾き：{tilt}、移動量：{slide}）。",
     ),
     "leaning": (
-        "The {name} did not overturn but was left leaning; it tilted by {tilt} and slid by {slide}.",
+        "{name} did not overturn but was left leaning; it tilted by {tilt} and slid by {slide}.",
         "{name}は転倒しませんでしたが、寄りかかったままになりました（傾き：{tilt}、移動量：{slide}）。",
     ),
-    "turned": ("The {name} turned by up to {angle:.0f}°.", "{name}は最大{angle:.0f}°回転しました。"),
-    "rolled": ("The {name} rolled by {slide}.", "{name}は{slide}転がりました。"),
+    "turned": ("{name} turned by up to {angle:.0f}°.", "{name}は最大{angle:.0f}°回転しました。"),
+    "rolled": ("{name} rolled by {slide}.", "{name}は{slide}転がりました。"),
     "overturned": (
-        "The {name} overturned {time:.1f} s into the motion.",
+        "{name} overturned {time:.1f} s into the motion.",
         "{name}は揺れ始めから{time:.1f}秒後に転倒しました。",
     ),
     "failed": (
@@ -92,9 +85,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     "axis_yaw": ("Turn in plan [°]", "水平面内の回転 [°]"),
     "axis_x": ("x, towards the front [m]", "x、正面側 [m]"),
     "axis_y": ("y, across [m]", "y、左右 [m]"),
+    "axis_x_room": ("x, from the left wall [m]", "x、左の壁から [m]"),
+    "axis_y_room": ("y, from the near wall [m]", "y、手前の壁から [m]"),
     "plan": ("Seen from above: at first (dashed) and at the end", "平面図：最初（破線）と最後"),
-    "floor_x": ("x", "x"),
-    "floor_y": ("y, across", "y、左右"),
     "floor_z": ("z, vertical", "z、上下"),
 }
 """Texts by their keys: English, Japanese."""

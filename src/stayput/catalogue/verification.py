@@ -47,7 +47,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "none": ("a measure", "対策"),
     "if_there": ("{option}", "{option}があれば"),
-    "what": ("the {name}", "この家具は"),
+    "what": ("{name}", "この家具は"),
     "better": (
         "In shaking of JMA intensity {strength} {what} overturns {falls}{bare}; with {option}, {then}{chance}.",
         "{strength}の揺れで、{what}{falls}。{option}{then}。{chance}",

@@ -324,7 +324,7 @@ def opened(
     outputs : sequence of Path or None
         Files to write, none of which may be one that is read.
     of_one : mapping
-        Flags that a file of several pieces has no use for, and whether they are given.
+        Flags that only a lone preset or box has a use for, and whether they are given.
 
     Raises
     ------
@@ -338,16 +338,14 @@ def opened(
     tables = {"shaking": EXAMPLE["shaking"]} if "body" in said else EXAMPLE
     if path is not None:
         tables = table_of_input("SCENARIO") if is_stream(path) else read_toml(path)
-    several = isinstance(tables.get("furniture"), list)
-    for flag, wanted in {**of_one, "--body": "body" in said}.items() if several else ():
-        if wanted:
-            raise InputError("common.left_out", flag, where=phrase("scenario.flag_of_one"))
+    if "body" in said and isinstance(tables.get("furniture"), list):
+        raise InputError("common.left_out", "--body", where=phrase("scenario.of_a_lone_piece"))
     data = changed(tables, said, path)
     read = [*motion_files(tables, path), *motion_files(data, path)]
     check_apart(outputs, read if path is None else [path, *read])
     same_motions = path is not None and motion_files(data) == motion_files(tables)
     try:
-        return Scenario.parse(
+        scenario = Scenario.parse(
             data, Path() if path is None else path.parent, called(path) if path and same_motions else ""
         )
     except InputError as error:
@@ -358,6 +356,10 @@ def opened(
                 if str(alone) == str(error):
                     raise error.at(called(path)) from None
         raise
+    for flag, wanted in of_one.items():
+        if wanted and not scenario.alone:
+            raise InputError("common.left_out", flag, where=phrase("scenario.of_a_lone_piece"))
+    return scenario
 
 
 def motion_files(tables: Mapping[str, Any], path: Path | None = None) -> list[Path]:

@@ -69,7 +69,7 @@ class CommandGroup(TyperGroup):
         self._language = of_arguments(sys.argv[1:] if args is None else args)
         if sys.stdout is None:  # pyright: ignore[reportUnnecessaryComparison] - where it is closed
             sys.stdout = closed_output()
-        if isinstance(sys.stdout, io.TextIOWrapper) and sys.stdout.errors == "strict":
+        if isinstance(sys.stdout, io.TextIOWrapper) and sys.stdout.errors in ("strict", "surrogateescape"):
             # letters that the terminal lacks are written out, as Python does on standard error
             sys.stdout.reconfigure(errors="backslashreplace")
         try:
@@ -256,12 +256,15 @@ def terminal(lang: str, title: str | None = None) -> tuple[Console, Callable[[st
 def plain_table(
     headings: Sequence[str], rows: Iterable[Sequence[str]], *, gap: int = 2, **numbers: Any
 ) -> Table:
-    """Return a table without lines: labels, and what Rich's ``add_column`` takes for the other columns."""
+    """Return a table without lines, whose cells fold.
+
+    Besides labels it takes what Rich's ``add_column`` takes for the other columns.
+    """
     from rich.table import Table
 
     table = Table(box=None, padding=(0, gap, 0, 0), show_header=any(headings))
     for place, heading in enumerate(headings):
-        table.add_column(heading, **(numbers if place else {}))
+        table.add_column(heading, overflow="fold", **(numbers if place else {}))
     for row in rows:
         table.add_row(*row)
     return table

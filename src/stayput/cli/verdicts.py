@@ -140,7 +140,7 @@ def _print_room(verdict: RoomVerdict, lang: str) -> None:
     for each in tables(replace(verdict, changes=listed), lang):
         if not each.rows:
             continue
-        table = plain_table(each.headings, each.rows, gap=1, justify="right", overflow="fold")
+        table = plain_table(each.headings, each.rows, gap=1, justify="right")
         if _width(table, console) <= console.width:
             console.print(table)
         else:  # whose lines would break: a list instead

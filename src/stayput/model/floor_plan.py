@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import (
     InputError,
     instance_of,
@@ -25,6 +26,7 @@ from stayput.errors import (
 )
 from stayput.model.parameters import check_fields, parameter, quantity
 from stayput.model.room import WALLS, WALLS_AROUND, made_of
+from stayput.wording import name_quoted
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -77,6 +79,9 @@ PLACES: dict[str, PlacePreset] = {
     "play area": PlacePreset(1.5, 1.5, 0.0, 1.0, 0.3, 0.0, False),
 }
 """Places by kind: conventions of this program, to be changed."""
+
+PLACE_NAMES: dict[str, Phrase] = {kind: phrase(f"rooms.{kind}") for kind in PLACES}
+"""What places by kind are called."""
 
 _ALONG = quantity("m", 0.0, ROOM_SIZE[1], ("start", "始まり"))
 _OPENING = quantity("m", 0.1, 20.0, ("width", "幅"))
@@ -316,7 +321,7 @@ class FloorPlan:
                 raise InputError(
                     "rooms.outside",
                     f"places[{number}].at",
-                    name=repr(place.name),
+                    name=name_quoted(place.name, PLACE_NAMES),
                     width=self.width,
                     length=self.length,
                 )

@@ -18,7 +18,7 @@ from stayput.files import check_animation, draft
 from stayput.report.film.frames import Painter
 from stayput.report.film.posed import posed
 from stayput.report.film.scene import DRIFT_CORNER, FilmScene, scene_of
-from stayput.report.history import AFTER, cut_run, peak_of, telling, window_of
+from stayput.report.history import AFTER, cut_run, peak_told, telling, window_of
 from stayput.report.names import motion_label, names_of
 from stayput.report.page import Player, file_of, filled, inks_css, script_json, script_module
 from stayput.report.palette import mode_looks
@@ -123,7 +123,7 @@ def film_of(
         say("space.caption_moved", language, corner=DRIFT_CORNER, part=part),
     ]
     name = motion_label(run.motion, language)
-    motion = say("space.motion_title", language, name=name, peak=peak_of(shown.motion))
+    motion = say("runs.motion_title", language, name=name, peak=peak_told(run))
     strip = say("runs.floor_acceleration", language, motion=motion)
     return Film(scene, say(sentences(run), language), strip, " ".join(caption), language, note)
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.catalogue import phrase
 from stayput.simulation.outcome import EventKind, Mode
 
 if TYPE_CHECKING:
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.motion.record import Motion
+    from stayput.catalogue import Phrase
     from stayput.simulation.run import Run
 
 
@@ -130,6 +131,9 @@ def cut_run(run: Run, start: float, end: float) -> Run:
     return replace(cut, events=tuple(event for event in run.events if start <= event.time <= end))
 
 
-def peak_of(motion: Motion) -> float:
-    """Return the largest acceleration of the floor, all components together [m/s²]."""
-    return float(np.linalg.norm(list(motion.components.values()), axis=0).max())
+def peak_told(run: Run) -> Phrase:
+    """Return the largest acceleration of the floor: in the plane along the depth, else of all components."""
+    if run.engine == "plane":
+        return phrase("runs.peak_along_depth", peak=run.motion.pga)
+    peak = np.linalg.norm(list(run.motion.components.values()), axis=0).max()
+    return phrase("space.peak_of_all", peak=float(peak))

@@ -5,10 +5,18 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import phrase, say
-from stayput.catalogue.names import ANY_PIECE, FAMILIES, MOTIONS, PIECES, PLACES, STRUCTURES, SURFACES
+from stayput.catalogue import say
+from stayput.catalogue.names import (
+    FAMILIES,
+    MOTIONS,
+    PIECES,
+    PIECES_OF_RUNS,
+    PLACES,
+    STRUCTURES,
+    SURFACES,
+)
 from stayput.motion.floors import floor_phrase
-from stayput.wording import called
+from stayput.wording import called, name_within
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
@@ -23,8 +31,6 @@ _NAMES = {
     **STRUCTURES,
     **SURFACES,
 }
-
-_PIECES_OF_RUNS = {**PIECES, "piece": phrase("runs.piece"), ANY_PIECE[0]: ANY_PIECE}
 
 _MADE = (
     ("report.sine", re.compile(r"sine (?P<values>.+)")),
@@ -51,7 +57,13 @@ def named(name: str, language: str) -> str:
 
 def piece_name(name: str) -> Phrase:
     """Return what a piece of a run is called, translated where that is a preset's name or a default one."""
-    return called(name, _PIECES_OF_RUNS)
+    return called(name, PIECES_OF_RUNS)
+
+
+def piece_at_first(name: str) -> Phrase:
+    """Return what a sentence begins with that is about a piece: "The bookcase", "Bookcase 2", "“My own”"."""
+    english, japanese = name_within(name, PIECES_OF_RUNS)
+    return english[:1].upper() + english[1:], japanese
 
 
 def names_of(run: Run, language: str) -> tuple[str, ...]:

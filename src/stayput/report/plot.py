@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
+from matplotlib.patches import Patch, Rectangle
 from scipy.spatial import ConvexHull
 
 from stayput.catalogue import say
@@ -30,7 +30,7 @@ from stayput.report.figures import (
     saved,
     style,
 )
-from stayput.report.film.shape import STILL_LOOKS, still_of
+from stayput.report.film.shape import OPENINGS, STILL_LOOKS, still_of
 from stayput.report.fonts import drawable, with_face, wrapped
 from stayput.report.history import spans, with_overturning
 from stayput.report.names import acceleration_label, motion_label, names_of
@@ -111,8 +111,10 @@ def plot_run(run: Run, path: str | Path | None = None, *, title: str = "", langu
     axes = [first, *(figure.add_subplot(grid[row, 0], sharex=first) for row in range(1, len(heights)))]
     acceleration, tilt, slide = axes[:3]
     _draw_acceleration(acceleration, run, language)
-    motion = drawable(motion_label(run.motion, language))
-    acceleration.set_title(motion, fontsize=FONT - 0.5, color=MUTED, loc="left")
+    motion, face = with_face(motion_label(run.motion, language), FONT - 0.5)
+    beside = 72.0 * (0.85 * width * widths[0] / sum(widths) - 2.5)  # the legend
+    title = wrapped(motion, face, beside).replace("$", r"\$")
+    acceleration.set_title(title, fontsize=FONT - 0.5, color=MUTED, loc="left")
     _draw_pieces(tilt, run, "tilt", language)
     if not several and tilt.get_legend_handles_labels()[0]:
         legend_within(tilt)
@@ -314,7 +316,7 @@ def _draw_acceleration(axis: Axes, run: Run, language: str) -> None:
     motion, parts = run.motion, run.motion.components
     for name, a in parts.items():
         if name != "y" or run.engine == "space":
-            label = say(f"space.floor_{name}", language)
+            label = say("space.floor_z", language) if name == "z" else name
             axis.plot(motion.time, a, color=COMPONENT_COLOURS[name], linewidth=0.9, label=label)
     axis.set_ylabel(acceleration_label(motion, language), fontsize=FONT)
     axis.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), fontsize=FONT - 1.5, frameon=False, ncols=3)
@@ -468,13 +470,26 @@ def _draw_plan(axis: Axes, run: Run, language: str) -> None:
         axis.plot(*way, linestyle=_dashes(b), color=colour, linewidth=1.4, zorder=4, label=drawable(name))
         axis.plot(*run.place[b, -1, :2], "o", color=colour, markersize=6.0, markeredgecolor=INK, zorder=5)
     for still in still_of(run):
+        look, of_wall = STILL_LOOKS[still.role].colour, still.role in OPENINGS
         for line in still.lines:
-            axis.plot(*line[:, :2].T, color=STILL_LOOKS[still.role].colour, linewidth=0.8, zorder=1)
+            in_wall = of_wall and np.ptp(line[:, 2]) > 0.0
+            axis.plot(*line[:, :2].T, color=look, linewidth=2.5 if in_wall else 0.8, zorder=1.5)
+    if run.plan is None:
+        _draw_walls(axis, run)
+        axis.set_aspect("equal", adjustable="datalim")
+        label_axes(axis, language, "space.axis_x", "space.axis_y")
+    else:
+        width, length = run.plan.width, run.plan.length
+        axis.add_patch(Rectangle((0.0, 0.0), width, length, fill=False, color=ROOM, linewidth=4.0))
+        axis.set_aspect("equal", adjustable="box")
+        label_axes(axis, language, "space.axis_x_room", "space.axis_y_room")
+    axis.set_title(say("space.plan", language), fontsize=FONT - 0.5, color=MUTED, loc="left")
+
+
+def _draw_walls(axis: Axes, run: Run) -> None:
+    """Draw the walls of a run without a plan, which have no ends."""
     for plane in run.planes[1:]:
         nx, ny, offset = (float(plane[name]) for name in ("nx", "ny", "offset"))
         if abs(nx) + abs(ny) > 0.5:
             x, y = offset * nx, offset * ny
             axis.axline((x, y), (x + ny, y + nx), color=ROOM, linewidth=4.0, zorder=1)
-    axis.set_aspect("equal", adjustable="datalim")
-    label_axes(axis, language, "space.axis_x", "space.axis_y")
-    axis.set_title(say("space.plan", language), fontsize=FONT - 0.5, color=MUTED, loc="left")

@@ -10,8 +10,8 @@ import numpy as np
 
 from stayput.catalogue import LANGUAGES, phrase, say
 from stayput.catalogue.names import OUTCOMES
-from stayput.report.history import peak_of
-from stayput.report.names import motion_place, names_of, piece_name, place_named
+from stayput.report.history import peak_told
+from stayput.report.names import motion_place, names_of, piece_at_first, piece_name, place_named
 from stayput.simulation.outcome import Event, EventKind, Outcome
 from stayput.wording import FAR, inside, joined, with_aside
 
@@ -57,24 +57,24 @@ def sentences(run: Run, sides: tuple[str, str] = LEFT_AND_RIGHT) -> Phrase:
     sides : tuple of str
         What the sides to −x and +x of the plane are called: `LEFT_AND_RIGHT` or `BACK_AND_FRONT`.
     """
-    names = [piece_name(name) for name in run.names]
+    first = piece_at_first(run.names[0])
     if run.engine == "plane":
-        return _in_plane(run, names[0], sides)
+        return _in_plane(run, first, sides)
     if run.given_up:
         return phrase("space.failed")
-    if len(names) == 1:
-        return _in_space(run.piece, names[0])
+    if len(run.pieces) == 1:
+        return _in_space(run.piece, first)
     fallen = [
         (min(time for time in (piece.overturn_time, piece.fall_time) if math.isfinite(time)), name)
-        for piece, name in zip(run.pieces, names, strict=True)
+        for piece, name in zip(run.pieces, map(piece_name, run.names), strict=True)
         if piece.overturned or piece.fell_off
     ]
     if not fallen:
-        return phrase("space.none_fell", count=len(names))
+        return phrase("space.none_fell", count=len(run.pieces))
     which = joined(
         phrase("space.fell_at", name=name, time=time) for time, name in sorted(fallen, key=itemgetter(0))
     )
-    return phrase("space.some_fell", fallen=len(fallen), count=len(names), which=which)
+    return phrase("space.some_fell", fallen=len(fallen), count=len(run.pieces), which=which)
 
 
 def _in_plane(run: Run, name: Phrase, sides: tuple[str, str]) -> Phrase:
@@ -228,9 +228,8 @@ def motion_data(motion: Motion) -> dict[str, Any]:
 def rows(run: Run, language: str = "en") -> list[tuple[str, str]]:
     """Return the results as rows of a table: label, and value with its unit; of each piece in turn."""
     motion, plane, names = run.motion, run.engine == "plane", names_of(run, language)
-    peak, key = (motion.pga, "runs") if plane else (peak_of(motion), "space")
-    shaken = {"name": motion_place(motion, language), "duration": motion.duration, "peak": peak}
-    table = [(say("runs.row_motion", language), say(f"{key}.row_motion_value", language, **shaken))]
+    shaken = {"name": motion_place(motion, language), "duration": motion.duration, "peak": peak_told(run)}
+    table = [(say("runs.row_motion", language), say("runs.row_motion_value", language, **shaken))]
     for b, (name, piece) in enumerate(zip(names, run.pieces, strict=True)):
         open_side = say("runs.open_side", language) if plane and slides_off(run) else ""
         rolls = not plane and len(run.standing[b].solid.rims) > 0

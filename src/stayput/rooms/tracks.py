@@ -63,18 +63,6 @@ class Track:
         """Whether it has not stirred."""
         return len(self.sample) == 1
 
-    @property
-    def at_first(self) -> Track:
-        """As it stands at first, alone."""
-        chosen = slice(0, 1)
-        return replace(
-            self,
-            sample=self.sample[chosen],
-            place=self.place[chosen],
-            turn=self.turn[chosen],
-            energy=self.energy[chosen],
-        )
-
     def corners(self, chosen: slice | NDArray[np.intp] = slice(None)) -> NDArray[np.float64]:
         """Return where its corners are at some of the samples [m], shape (k, n, 3)."""
         corners = self.shape.corners @ np.swapaxes(self.turn[chosen], 1, 2)

@@ -192,7 +192,7 @@ def verdict_of(question: Question, state: RoomState, slide_limit: float) -> Room
             )
         )
     pieces.sort(key=lambda piece: (-round(piece.risk, 9), -piece.probabilities["overturned"].estimate))
-    at_rest = ends.of([runs[0].at_first for runs in as_it_is.tracks])[0]
+    at_rest, _ = ends.ways.shut_in(ends.ways.covered(runs[0].outline(0) for runs in as_it_is.tracks))
     motions, samples = shape
     return RoomVerdict(
         scenario=scenario,

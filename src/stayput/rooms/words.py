@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 from stayput.catalogue import Phrase, phrase, say
 from stayput.catalogue.names import PIECES
 from stayput.fragility.probabilities import percent
-from stayput.model.floor_plan import PLACES, Door, PersonPlace
+from stayput.model.floor_plan import PLACE_NAMES, Door, PersonPlace
 from stayput.rooms.changes import Change, wall_faced
 from stayput.verification.words import sentence_of, shaking_phrase, share_text
-from stayput.wording import called, default_name, inside
+from stayput.wording import called, default_name, inside, name_quoted, name_within
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Iterator
 
     from stayput.fragility.probabilities import Probability
     from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
@@ -24,22 +24,13 @@ TOLD = 0.005
 """From this share on something is told in the verdict's sentence."""
 
 
-def _within(name: str, kinds: Mapping[str, Phrase]) -> Phrase:
-    """Return what something is called within a sentence: "the desk", "desk 2", "“My own”"."""
-    default = default_name(name, kinds)
-    if default is None:
-        return phrase("rooms.named", name=name)
-    return called(name, kinds) if default[1] else phrase("rooms.the", name=called(name, kinds))
-
-
-_PLACES: dict[str, Phrase] = {kind: phrase(f"rooms.{kind}") for kind in PLACES}
 _AT = {"bed": "in", "futon": "on", "cot": "in", "desk": "at", "sofa": "on", "play area": "in"}
 _DOOR: dict[str, Phrase] = {"door": phrase("rooms.door")}
 
 
 def place_name(place: PersonPlace) -> Phrase:
     """Return what a place is called, translated where it has no name of its own."""
-    return called(place.name, _PLACES)
+    return called(place.name, PLACE_NAMES)
 
 
 def door_name(door: Door) -> Phrase:
@@ -54,17 +45,14 @@ def piece_name(name: str) -> Phrase:
 
 def piece_within(name: str) -> Phrase:
     """Return the same as it stands within a sentence: "the bookcase", "bookcase 2", "“My shelf”"."""
-    default = default_name(name, PIECES)
-    if default is None:
-        return phrase("rooms.named", name=name)
-    return phrase("rooms.a_numbered_piece" if default[1] else "rooms.the_piece", name=piece_name(name))
+    return name_within(name, PIECES)[0], name_quoted(name, PIECES)[1]
 
 
 def _where_somebody_is(place: PersonPlace) -> Phrase:
     """Return where the person of a place is: "in bed", "at desk 2"."""
-    default = default_name(place.name, _PLACES)
+    default = default_name(place.name, PLACE_NAMES)
     in_bed = default == ("bed", "")  # which has no article then
-    name = place_name(place) if in_bed else _within(place.name, _PLACES)
+    name = place_name(place) if in_bed else name_within(place.name, PLACE_NAMES)
     return phrase(f"rooms.{'at' if default is None else _AT[default[0]]}_place", place=name)
 
 
@@ -137,7 +125,7 @@ def _clauses(verdict: RoomVerdict) -> Iterator[Phrase]:
         yield happens("rooms.falls_too", chance, piece=piece_within(first.name), others=beside)
     for door in verdict.doors:
         if door.blocked.estimate >= TOLD:
-            yield happens("rooms.blocked", door.blocked, door=_within(door.door.name, _DOOR))
+            yield happens("rooms.blocked", door.blocked, door=name_within(door.door.name, _DOOR))
     shut = max(verdict.places, key=lambda place: place.shut_in.estimate, default=None)
     if shut is not None and shut.shut_in.estimate >= TOLD:
         yield happens("rooms.shut_in", shut.shut_in, place=_where_somebody_is(shut.place))
@@ -166,7 +154,7 @@ def label_of(change: Change, verdict: RoomVerdict) -> Phrase:
     place = next((spot.place for spot in verdict.places if spot.place.name == change.what), None)
     if place is not None and change.what not in verdict.scenario.names:
         turned = abs(math.remainder(change.heading - place.heading, math.pi)) > 1e-6
-        how = phrase("rooms.turned" if turned else "rooms.moved", place=_within(place.name, _PLACES))
+        how = phrase("rooms.turned" if turned else "rooms.moved", place=name_within(place.name, PLACE_NAMES))
         return phrase("rooms.move_place", how=how, x=x, y=y)
     wall = wall_faced(change.heading)
     along, start = (y, "near_side_wall") if wall in ("left_wall", "right_wall") else (x, "left_wall")

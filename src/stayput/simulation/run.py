@@ -128,6 +128,9 @@ class PieceRun:
     yaw: NDArray[np.float64]
     held: Held | None = None
 
+    def __repr__(self) -> str:
+        return f"PieceRun({_happened(self)})"
+
     @property
     def body(self) -> Body:
         """The piece of furniture, with what its measures changed of it.
@@ -150,6 +153,11 @@ class PieceRun:
     def fell_off(self) -> bool:
         """Whether it fell off what it stood on; it may have overturned as well."""
         return math.isfinite(self.fall_time)
+
+
+def _happened(piece: PieceRun) -> str:
+    after = f" after {piece.overturn_time:.2f} s" if piece.overturned else ""
+    return f"{piece.outcome.value}{after} (slide {piece.peak_slide:.3g} m, tilt {piece.peak_tilt:.3g} rad)"
 
 
 class _OfPiece(Generic[Value]):
@@ -290,9 +298,8 @@ class Run(InNetcdf):
 
     def __repr__(self) -> str:
         each = ", ".join(
-            f"{piece.outcome.value}{f' after {piece.overturn_time:.2f} s' if piece.overturned else ''} "
-            f"(slide {piece.peak_slide:.3g} m, tilt {piece.peak_tilt:.3g} rad)"
-            for piece in self.pieces[:4]
+            f"{name}: {_happened(piece)}" if len(self.pieces) > 1 else _happened(piece)
+            for name, piece in zip(self.names[:4], self.pieces[:4], strict=True)
         )
         more = f", and {len(self.pieces) - 4} more" if len(self.pieces) > 4 else ""
         where = "the plane" if self.engine == "plane" else "space"

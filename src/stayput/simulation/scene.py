@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import phrase
+from stayput.catalogue.names import PIECES_OF_RUNS
 from stayput.errors import (
     InputError,
     instance_of,
@@ -19,17 +20,20 @@ from stayput.errors import (
     whole_within,
     within,
 )
-from stayput.model.floor_plan import FACING, FloorPlan, PersonPlace
+from stayput.model.floor_plan import FACING, PLACE_NAMES, FloorPlan, PersonPlace
 from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room, Wall
 from stayput.simulation.convex import inside_each_other
 from stayput.simulation.piece import BEHIND, Piece, vector_of
 from stayput.simulation.run import default_names
 from stayput.simulation.space_engine import DEEPEST
+from stayput.wording import name_quoted
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from numpy.typing import NDArray
+
+    from stayput.catalogue import Phrase
 
 
 @dataclass(frozen=True, slots=True)
@@ -255,13 +259,16 @@ class Scene:
         if plan is None:
             return
         sides = np.array([plan.width, plan.length])
+        names = [name_quoted(name, PIECES_OF_RUNS) for name in self.names]
         reach: list[NDArray[np.float64]] = []
         for number, piece in enumerate(self.pieces):
             corners = piece.solid.vertices @ piece.turn.T + np.asarray(piece.at)
             low, high = corners.min(axis=0), corners.max(axis=0)
-            key, name = f"pieces[{number}].at", f"pieces[{number}]"
-            name += f" ({piece.name!r})" if piece.name else ""
-            values: dict[str, Any] = {"name": name}
+            place, name = f"pieces[{number}]", names[number]
+            key = f"{place}.at"
+            values: dict[str, Any] = {"name": place}
+            if piece.name:
+                values["name"] = tuple(f"{place} ({text})" for text in name)
             if (low[:2] < -1e-6).any() or (high[:2] > sides + 1e-6).any():
                 values |= {"width": plan.width, "length": plan.length}
                 for axis, letter in enumerate("xy"):
@@ -274,12 +281,12 @@ class Scene:
                 values |= {"high": float(high[2]), "height": ceiling.height}
                 raise InputError("rooms.in_the_ceiling", key, **values)
             reach.append(np.stack([low, high]))
-            others: list[tuple[Piece | PersonPlace, str]] = [
-                (other, self.called(before))
+            others: list[tuple[Piece | PersonPlace, Phrase]] = [
+                (other, names[before])
                 for before, other in enumerate(self.pieces[:number])
                 if (reach[before][0] < high).all() and (low < reach[before][1]).all()  # else they are apart
             ]
-            others += [(place, repr(place.name)) for place in plan.places]
+            others += [(place, name_quoted(place.name, PLACE_NAMES)) for place in plan.places]
             for other, what in others:
                 depth = inside_each_other(piece, other)
                 if depth > DEEPEST:

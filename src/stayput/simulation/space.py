@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.catalogue import phrase
+from stayput.catalogue.names import PIECES_OF_RUNS
 from stayput.errors import InputWarning, warn
 from stayput.measures.element import device_results
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
@@ -23,6 +24,7 @@ from stayput.simulation.run import PieceRun, Run, default_names
 from stayput.simulation.space_engine import STEP, SpaceShaking, run_world
 from stayput.simulation.space_fate import fates_of, unrolled, upright_yaws
 from stayput.simulation.space_records import NORMALS, frames_of, matrices, planes_of, surface_of, world_of
+from stayput.wording import joined, name_within
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -50,12 +52,14 @@ ON_FLOOR_WITHIN = 1e-6
 
 def warn_of_settlement(scene: Scene) -> None:
     """Warn where bodies of another shape stand on a floor that settles: only boxes have the base for that."""
-    shaped, settlement = (
-        (piece for piece in scene.pieces if piece.body.shape is not None),
-        scene.room.floor.settlement,
-    )
-    if settlement and any(piece.reach((0.0, 0.0, 1.0))[0] <= ON_FLOOR_WITHIN for piece in shaped):
-        warn(InputWarning("simulation.settles", value=settlement))
+    shaped = [
+        name_within(name, PIECES_OF_RUNS)
+        for piece, name in zip(scene.pieces, scene.names, strict=True)
+        if piece.body.shape is not None and piece.reach((0.0, 0.0, 1.0))[0] <= ON_FLOOR_WITHIN
+    ]
+    if scene.room.floor.settlement and shaped:
+        depth = 1e3 * scene.room.floor.settlement
+        warn(InputWarning("simulation.settles", value=depth, pieces=joined(shaped)))
 
 
 def simulate_scene(scene: Scene, motion: Motion, gravity: float, step: float | None = None) -> Run:

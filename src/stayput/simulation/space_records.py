@@ -137,10 +137,17 @@ def _add(body: Any, solid: Solid, floor: np.void, lists: tuple[list[Any], ...]) 
     points, rims, faces, loops, edges = lists
     moments, axes = solid.principal
     about = solid.centre_of_gravity
-    back, front = (
-        tuple(float(floor[f"{side}_edge_{kind}_friction"]) for kind in ("static", "kinetic"))
-        for side in ("left", "right")
-    )
+
+    def friction(side: str) -> list[float]:
+        """Return an edge's static and kinetic friction: nan, or that of all edges for one of both."""
+        stated, usual = (
+            [float(floor[f"{edge}_{kind}_friction"]) for kind in ("static", "kinetic")]
+            for edge in (f"{side}_edge", "edge")
+        )
+        alike = np.isnan(stated).all()
+        return [mu if alike or mu >= 0.0 else other for mu, other in zip(stated, usual, strict=True)]
+
+    back, front = friction("left"), friction("right")
 
     def in_axes(place: NDArray[np.float64]) -> NDArray[np.float64]:
         return (place - about) @ axes

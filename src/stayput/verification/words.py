@@ -6,12 +6,12 @@ import math
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import Phrase, phrase, say
-from stayput.catalogue.names import CONTENTS, INTENSITIES
+from stayput.catalogue.names import CONTENTS, INTENSITIES, PIECES_OF_RUNS
 from stayput.fragility.probabilities import percent
 from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED, SLID
 from stayput.motion.floors import floor_phrase
 from stayput.motion.intensity import intensity_class
-from stayput.wording import FAR, inside, is_open, joined, with_aside
+from stayput.wording import FAR, inside, is_open, joined, name_within, with_aside
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -191,7 +191,7 @@ def _helps(option: OptionVerdict, without: OptionVerdict) -> bool:
 
 def _headline(verdict: Verdict) -> Phrase:
     where = _where(verdict)
-    what = phrase(f"{where}.what", name=verdict.scenario.piece.title)
+    what = phrase(f"{where}.what", name=name_within(verdict.scenario.piece.title, PIECES_OF_RUNS))
     if math.isnan(verdict.without.probabilities[OVERTURNED].estimate):
         return phrase("verification.no_bare_run", none=phrase(f"{where}.none"))
     if _helps(verdict.best, verdict.without):

@@ -85,10 +85,10 @@ function moved(result) {
 
 /** The panels of a result: titles, units and lines. */
 function panels(result, end) {
-  const { floor, runs } = result;
+  const { floor, runs, inRoom } = result;
   const acceleration = floor.accelerations.map(({ axis, times, values }) => {
     const { dash, colour } = AXES[axis];
-    return { times, values, factor: 1, dash, colour: ink[colour], name: say(`axis_${axis}`) };
+    return { times, values, factor: 1, dash, colour: ink[colour], name: say(inRoom && axis !== "z" ? `roomAxis_${axis}` : `axis_${axis}`) };
   });
   const made = [{ title: say("acceleration"), unit: "m/s²", lines: acceleration }, ...moved(result)];
   const devices = drawn(runs.at(-1));

@@ -43,6 +43,7 @@ export function shake(answer) {
   const { scene } = runs[0];
   return {
     inPlane: answer.engine === "plane",
+    inRoom: Boolean(answer.in_room),
     motion: answer.motion,
     floor: {
       time_s: scene.times,

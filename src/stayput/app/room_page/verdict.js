@@ -43,7 +43,8 @@ export function update() {
 export function show({ name, job, result, old, error }) {
   const here = part("answer");
   here.dataset.state = name;
-  here.dataset.old = part("understand").dataset.old = String(old);
+  here.dataset.old = String(old && !error); // a refusal is of the room as it is
+  part("understand").dataset.old = String(old);
   here.classList.toggle("empty", !result && !error);
   if (job?.state === "done") here.dataset.job = job.id;
   else delete here.dataset.job;

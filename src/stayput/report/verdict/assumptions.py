@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.catalogue import phrase, say
 from stayput.catalogue.names import CONTENTS, DOORS, DRAWERS, PIECES
+from stayput.measures import TensionPole
+from stayput.measures.wall import WallDevice
 from stayput.model.parameters import GIVEN, parameter_of
 from stayput.report.names import named
 from stayput.rooms.events import CELL, PASSAGE
@@ -15,9 +17,10 @@ from stayput.scenario.tables import floor_of
 from stayput.verification.options import building_tag, floor_tag, furniture_tag
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Iterable, Iterator, Sequence
 
     from stayput.catalogue import Phrase
+    from stayput.measures import Measure
     from stayput.model.room import Ceiling, Room, Wall
     from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario import Scenario
@@ -44,10 +47,6 @@ class Assumption(NamedTuple):
     confidence: str
 
 
-_DRAWN_BETWEEN = Assumption(phrase("several.drawn_between"), phrase("several.drawn_between_text"), "low")
-"""How what is between several pieces is drawn."""
-
-
 def told(assumptions: Iterable[Assumption], language: str) -> list[tuple[str, str, str]]:
     """Return assumptions as rows of a table: what, its value, and how well founded it is."""
     return [(say(item.what, language), say(item.value, language), item.confidence) for item in assumptions]
@@ -59,10 +58,11 @@ def assumptions(verdict: Verdict) -> list[Assumption]:
     stands = [_furniture(scenario)] if scenario.alone else [*_pieces(scenario)]
     between: list[Assumption] = []
     if not scenario.alone:
-        between = [_DRAWN_BETWEEN, *settlement_assumptions(scenario), *_rolling(scenario)]
+        between = [*_drawn_between(scenario), *settlement_assumptions(scenario), *_rolling(scenario)]
+    measures = [measure for result in verdict.options for measure in result.option.measures]
     return [
         *stands,
-        *_room(scenario, scenario.room.room()),
+        *_room(scenario, scenario.room.room(), measures),
         *_contents(scenario),
         *_shaking(scenario, verdict.motions),
         *_draws(scenario.uncertainty),
@@ -76,6 +76,7 @@ def assumptions_of_room(verdict: RoomVerdict) -> list[Assumption]:
     """Return the assumptions of a verdict on a room, those of its model first."""
     scenario = verdict.scenario
     values = {"passage": PASSAGE, "cell": 100.0 * CELL}
+    measures = [*scenario.stated.measures, *(result.change.measure for result in verdict.changes)]
     return [
         *(_limit(f"room_report.limit_{key}", **values) for key in ("alone", "persons", "passage")),
         *(_limit(f"report.limit_{key}") for key in ("contacts", "devices")),
@@ -83,10 +84,10 @@ def assumptions_of_room(verdict: RoomVerdict) -> list[Assumption]:
         *_rolling(scenario),
         Assumption(phrase("room_report.direction"), *_direction(scenario.direction)),
         *_pieces(scenario),
-        *_room(scenario, scenario.surroundings(), gaps=False),
+        *_room(scenario, scenario.surroundings(), measures, gaps=False),
         *_shaking(scenario, verdict.motions),
         *_draws(scenario.uncertainty),
-        _DRAWN_BETWEEN,
+        *_drawn_between(scenario),
     ]
 
 
@@ -135,8 +136,10 @@ def _furniture(scenario: Scenario) -> Assumption:
     return Assumption(_text("piece"), value, furniture_tag(table))
 
 
-def _room(scenario: Scenario, room: Room, *, gaps: bool = True) -> Iterator[Assumption]:
-    """Yield the floor, the gaps to the walls, what devices meet in the wall behind, and the ceiling."""
+def _room(
+    scenario: Scenario, room: Room, measures: Sequence[Measure | None], *, gaps: bool = True
+) -> Iterator[Assumption]:
+    """Yield the floor, the gaps to the walls, the ceiling, and what measures on these meet there."""
     table, floor = scenario.room.floor, room.floor
     name = table if isinstance(table, str) else table.surface
     surface = "" if name is None else _text("surface", name=_in_both(name))
@@ -150,11 +153,12 @@ def _room(scenario: Scenario, room: Room, *, gaps: bool = True) -> Iterator[Assu
     ):
         if gaps and wall is not None:
             yield Assumption(_text(key), _text("gap_text", gap=100.0 * wall.gap), GIVEN)
-    if room.left_wall is not None:
+    if room.left_wall is not None and any(isinstance(measure, WallDevice) for measure in measures):
         yield _fixed_to("wall_fixing", room.left_wall)
     if room.ceiling is not None:
         yield Assumption(_text("ceiling"), _text("height_text", height=room.ceiling.height), GIVEN)
-        yield _fixed_to("ceiling_fixing", room.ceiling)
+        if any(isinstance(measure, TensionPole) for measure in measures):
+            yield _fixed_to("ceiling_fixing", room.ceiling)
 
 
 def _fixed_to(key: str, surface: Wall | Ceiling) -> Assumption:
@@ -214,8 +218,16 @@ def _pieces(scenario: Scenario) -> Iterator[Assumption]:
         else:
             kind = PIECES[piece.preset]
             yield Assumption(called, (f"{kind[0]}: {size[0]}", f"{kind[1]}：{size[1]}"), "low")
-    friction = {"static": scenario.static_friction, "kinetic": scenario.kinetic_friction}
-    yield Assumption(phrase("several.between"), _text("frictions", surface="", **friction), GIVEN)
+    if len(scenario.pieces) > 1:
+        friction = {"static": scenario.static_friction, "kinetic": scenario.kinetic_friction}
+        tag = GIVEN if scenario.model_fields_set & {"static_friction", "kinetic_friction"} else "low"
+        yield Assumption(phrase("several.between"), _text("frictions", surface="", **friction), tag)
+
+
+def _drawn_between(scenario: Scenario) -> Iterator[Assumption]:
+    """Yield how what is between several pieces is drawn."""
+    if len(scenario.pieces) > 1:
+        yield Assumption(phrase("several.drawn_between"), phrase("several.drawn_between_text"), "low")
 
 
 def settlement_assumptions(scenario: Scenario) -> Iterator[Assumption]:

@@ -18,7 +18,7 @@ from stayput.motion.suites.suite import Suite
 from stayput.report.animation import film_of, player_page
 from stayput.report.figures import embedded
 from stayput.report.fonts import drawable
-from stayput.report.history import peak_of, window_of
+from stayput.report.history import peak_told, window_of
 from stayput.report.names import motion_label
 from stayput.report.plot import plot_run
 from stayput.report.summary import sentences_of_piece
@@ -76,7 +76,7 @@ def pairs_of(verdict: Verdict, language: str) -> list[dict[str, Any]]:
                     "histories": embedded(plot_run(film.scene.run, language=drawn), "svg"),
                 }
             )
-        motion = motion_told(verdict, member, runs[0].motion, window, language)
+        motion = motion_told(verdict, member, runs[0], window, language)
         pairs.append({"title": word(kind, language), "about": about, "sides": shown, "motion": motion})
     return pairs
 
@@ -112,7 +112,7 @@ def place_of_the_measure(verdict: Verdict, held: Run, language: str) -> str:
 def motion_told(
     verdict: Verdict,
     member: Member,
-    motion: Motion,
+    run: Run,
     shown: tuple[float, float],
     language: str,
 ) -> str:
@@ -122,11 +122,11 @@ def motion_told(
         language,
         number=member.motion + 1,
         count=verdict.motions,
-        name=motion_label(motion, language),
-        peak=peak_of(motion),
+        name=motion_label(run.motion, language),
+        peak=peak_told(run),
         start=f"{shown[0]:.1f}",
         end=f"{shown[1]:.1f}",
-        duration=f"{motion.duration:g}",
+        duration=f"{run.motion.duration:g}",
     )
 
 
