@@ -33,8 +33,9 @@ def on_pages() -> set[tuple[str, str]]:
     for line in API.splitlines():
         if line.startswith(".. currentmodule:: "):
             module = line.rpartition(" ")[2]
-        elif re.fullmatch(r"   \w+", line):
-            found.add((module, line.strip()))
+        elif re.fullmatch(r"   [\w.]+", line):
+            where, _, name = f"{module}.{line.strip()}".rpartition(".")
+            found.add((where, name))
     return found
 
 

@@ -123,7 +123,10 @@ def test_what_is_not_in_the_uncertainty_is_as_stated():
         (lambda: sp.verify(scenario(), samples=5), "samples is given beside a Scenario"),
         (lambda: sp.verify(BODY, ROOM, shaking="6-middle"), "6-middle"),
         (lambda: sp.verify(BODY, ROOM, shaking=[1.0, 2.0]), "Motion"),
-        (lambda: sp.verify(BODY, ROOM, shaking=6.0, measures=["belt"]), r"MEASURES\['belt'\]"),
+        (
+            lambda: sp.verify(BODY, ROOM, shaking=6.0, measures=["belt"]),
+            "measures is 'belt'; it must be of type",
+        ),
         (lambda: sp.verify(BODY, ROOM, shaking=6.0, measures=[Belt(), Belt()]), "belt"),
         (lambda: sp.verify(BODY, ROOM, shaking=6.0, uncertainty=FRICT), "friction"),
         (lambda: sp.verify("bookcase.toml"), r"read_scenario\('bookcase.toml'\)"),

@@ -371,10 +371,8 @@ class Motion:
 
     def pointing(self, direction: float) -> Motion:
         """Return the motion of a floor whose x points elsewhere in plan [rad], from x towards y."""
-        if direction == 0.0:
-            return self
         both = self if self.y is not None else replace(self, y=np.zeros_like(self.x))
-        return both.rotated(-direction)
+        return both.rotated(-direction) if direction else self
 
     def trimmed(self, start: float = 0.0, end: float | None = None) -> Motion:
         """Return the samples with start ≤ t ≤ end [s]; the floor is at rest at the first of them."""

@@ -346,7 +346,7 @@ class ActionPlan:
     >>> verdict = sp.verify_room(scenario, changes=False, progress=False)
     >>> plan = sp.action_plan(verdict, progress=False)
     >>> verdict.hit.fell, plan.together.hit.fell  # of 4 earthquakes: as it is, and after all steps
-    (1, 0)
+    (2, 0)
     """
 
     verdict: RoomVerdict
