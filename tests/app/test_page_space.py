@@ -269,7 +269,7 @@ def test_a_verdict_that_the_server_refuses_of_a_file_says_why(browser: Browser, 
     with opened(browser, server, verify=True, allowed=("status of 422",)) as it:
         drop(it, drum)
         it.page.wait_for_selector("#understand[data-state=refused]")
-        assert "or is no box" in it.page.locator("#verdict").inner_text()
+        assert "one preset or box written as [furniture]" in it.page.locator("#verdict").inner_text()
         assert it.page.locator("#verdict").is_visible()
 
 

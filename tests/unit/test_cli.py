@@ -293,7 +293,7 @@ def test_motion_suite_made_and_read_again(tmp_path):
         (["--select", "3"], "--select is given without --target"),
         (["--fit", "guess"], "--fit is 'guess'"),
         (["--band", "5"], "--band is '5'"),
-        (["--records", "nowhere"], "no folder"),
+        (["--records", "nowhere"], "it must be a folder"),
         (["--intensity", "12"], "shaking.intensity is 12"),
     ],
 )

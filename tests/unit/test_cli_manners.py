@@ -46,7 +46,7 @@ def test_quiet_leaves_results_and_refusals(tmp_path: Path, before: bool) -> None
     assert quiet.stdout == loud.stdout
     assert "Wrote" not in run("motion", "plot", file, tmp_path / "plot.svg").stdout
     assert run("motion", "convert", file, tmp_path / "copy.csv").output == ""
-    assert run("motion", "info", out).stderr.endswith("must be readable.\n")
+    assert run("motion", "info", out).stderr.endswith("cannot be read: no such file or directory.\n")
     assert not is_quiet()  # the commands have ended
 
 
@@ -118,7 +118,7 @@ def test_every_list_of_words_has_its_words() -> None:
         "catalogue.names:SURFACES": SURFACES,
         "catalogue.names:INTENSITIES": [name for name, _ in CLASSES],
         "catalogue.names:FAMILIES": [MIXED, *FAMILIES],
-        "fragility:INTENSITY_MEASURES": INTENSITY_MEASURES,
+        "fragility.intensity_measures:INTENSITY_MEASURES": INTENSITY_MEASURES,
     }
     for listed, every in offered.items():
         assert words(listed)("") == list(every)

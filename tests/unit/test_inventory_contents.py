@@ -119,7 +119,7 @@ def test_a_load_is_that_of_the_contents(unsaid):
         ({"lip": "0.02"}, "lip is given without contents"),
         ({"contents": "book"}, "did you mean 'books'"),
         ({"contents": "books", "doors": "glass"}, "Doors is 'glass'"),
-        ({"contents": "books", "doors": "hinged", "drawers": "free"}, "not both"),
+        ({"contents": "books", "doors": "hinged", "drawers": "free"}, "is given beside doors"),
         ({"contents": "books", "lip": "3 ken"}, "plain number"),
         ({"contents": "books", "lip": "-1"}, "lip height is -1"),
         ({"contents": "books", "load": "60;50"}, "110 kg in all"),

@@ -178,7 +178,7 @@ def test_flags_beside_a_file_of_several_pieces() -> None:
     for flags in (["--body", "0.4x1x10"], ["--measure", "belt"]):
         said = cli("simulate", DRESSER, *flags)
         assert said.exit_code == 2
-        assert f"{flags[0]} is given where furniture is not a single preset or box" in said.output
+        assert f"{flags[0]} is given where furniture is not one preset or box" in said.output
     said = cli("simulate", DRESSER, "--set", "furniture.mass=0")  # of all pieces; of the first by the place
     assert "furniture[0].mass is 0" in said.output
 

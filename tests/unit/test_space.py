@@ -85,7 +85,7 @@ def test_what_else_is_refused() -> None:
     assert "number of pieces is 0" in refused([]).told("en")
     assert "must be 2 numbers" in refused([sp.Piece(BOX)], friction=(0.4, 0.3, 0.2)).told("en")
     assert "must be between 0 and 0.3" in refused([sp.Piece(BOX)], friction=(0.3, 0.4)).told("en")
-    with pytest.warns(sp.InputWarning, match="settles by 0.0001 m, which is left out"):
+    with pytest.warns(sp.InputWarning, match="by 0.1 mm, is left out"):
         sp.simulate(BOX, sp.Room(sp.Floor(settlement=1e-4)), STILL)
     with pytest.raises(sp.InputError, match="must be 3 numbers"):
         sp.Piece(BOX, at=(0.0, 0.0))  # pyright: ignore[reportArgumentType]

@@ -216,7 +216,7 @@ def test_what_turns_in_plan_alone_has_slid_and_is_told_to_have_turned() -> None:
     spun = sp.Piece(BOX(0.4, 0.4, 0.2, 20.0), rotation_rate=(0.0, 0.0, 3.0))
     run = sp.simulate(spun, sp.Room(sp.Floor(0.3, 0.3)), STILL)
     assert run.outcome is sp.Outcome.SLID
-    assert sentences(run.named(["box"]))[0] == "The box turned by up to 15°."
+    assert sentences(run.named(["box"]))[0] == "“box” turned by up to 15°."
 
 
 def test_a_run_that_is_stopped_is_given_up() -> None:

@@ -136,7 +136,7 @@ def verify(
         typer.Option(
             metavar="JMA|MMI|PGA|PGV|SA(T)|PFA|PFV",
             help="cli_help.im",
-            autocompletion=words("fragility:INTENSITY_MEASURES"),
+            autocompletion=words("fragility.intensity_measures:INTENSITY_MEASURES"),
         ),
     ] = None,
     plan: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.plan")] = None,

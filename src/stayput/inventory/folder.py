@@ -116,11 +116,15 @@ def input_digest(name: str, path: Path) -> str:
         No file, or one that cannot be read.
     """
     try:
-        if path.exists() and not path.is_file():  # a pipe would be read but once, a device for ever
-            what = phrase("inventory.the", what=called(name))
-            raise not_allowed(what, repr(str(path)), "inventory.not_a_file")
+        regular = path.is_file() or not path.exists()
+    except ValueError as error:  # a zero byte in the name
+        raise unreadable(path, error) from None
+    if not regular:  # a pipe would be read but once, a device for ever
+        what = phrase("inventory.the", what=called(name))
+        raise not_allowed(what, repr(str(path)), "inventory.not_a_file")
+    try:
         return digest_of(path)
-    except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
+    except OSError as error:
         raise unreadable(path, error) from None
 
 
