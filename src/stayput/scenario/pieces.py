@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from pathlib import Path  # noqa: TC003 - pydantic reads the annotations
 from typing import TYPE_CHECKING, Annotated, Self
 
@@ -43,6 +44,12 @@ PointOfRoom = Annotated[list[Coordinate], Field(min_length=3, max_length=3)]
 def in_place(tables: Sequence[SingleChoice] | None) -> tuple[Measure, ...]:
     """Make the measures that are in place together."""
     return tuple(table.measure() for table in tables or ())
+
+
+@cache
+def _stand_in() -> Body:
+    """Return the body with which a piece's place and measures are checked: a mesh is read in its folder."""
+    return Body.box(1.0, 1.0, 1.0, 1.0)
 
 
 @fields_of(
@@ -100,8 +107,7 @@ class PieceTable(ValueTable):
         if self.measures is not None and not self.is_furniture:
             where = phrase("scenario.of_a_solid")
             raise InputError("common.left_out", "furniture.measures", where=where)
-        any_body = Body.box(1.0, 1.0, 1.0, 1.0)  # a mesh is read when its folder is known
-        checked("furniture", lambda: self.standing(any_body, in_place(self.measures)))
+        checked("furniture", lambda: self.standing(_stand_in(), in_place(self.measures)))
         return self
 
     def _check_shape(self) -> None:
