@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from types import SimpleNamespace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from stayput.model.flat_fields import room_row
 from stayput.simulation.run import default_names
 from stayput.simulation.space import piece_runs
 from stayput.simulation.space_engine import Gaps
+from stayput.simulation.space_fate import fates_of
 from stayput.simulation.space_records import matrices, planes_of, product
 
 if TYPE_CHECKING:
@@ -52,13 +53,13 @@ def of_poses(
     still, count = np.zeros(place.shape), len(standing)
     gaps, none = (apart(count), apart(count)), np.zeros((count, 3), np.int64)
     bodies = [SimpleNamespace(piece=piece, held=None) for piece in standing]
-    trace = SimpleNamespace(
-        place=place, gaps=gaps, peak_tilt=np.zeros(count), hit_numbers=none, given_up=False
-    )
+    trace = SimpleNamespace(peak_tilt=np.zeros(count), hit_numbers=none)
+    moves = matrices(attitude), fates_of(standing, place, matrices(attitude), gaps)
+    traced: Any = SimpleNamespace(bodies=bodies, trace=trace, turns_and_fates=lambda: moves)
     return sp.Run(
         engine="space",
         names=default_names(count),
-        pieces=piece_runs(bodies, trace, attitude, time),
+        pieces=piece_runs(traced, time),
         standing=tuple(standing),
         room=ROOM,
         motion=SHAKE,

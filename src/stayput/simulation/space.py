@@ -309,7 +309,7 @@ def run_of_trace(traced: Trace, joints: Sequence[Joint], room: Room, motion: Mot
     return Run(
         "space",
         default_names(len(bodies)),
-        piece_runs(bodies, trace, attitude, time),
+        piece_runs(traced, time),
         room,
         motion,
         time,
@@ -332,25 +332,10 @@ def run_of_trace(traced: Trace, joints: Sequence[Joint], room: Room, motion: Mot
     )
 
 
-def piece_runs(
-    bodies: Sequence[Placed], trace: SpaceTrace, attitude: NDArray[np.float64], time: NDArray[np.float64]
-) -> tuple[PieceRun, ...]:
-    """Return what bodies did.
-
-    Parameters
-    ----------
-    bodies : sequence of Placed
-        The bodies, as they stood at first.
-    trace : SpaceTrace
-        Where they went.
-    attitude : ndarray, shape (bodies, samples, 4)
-        Unit quaternions that turn their frames into the room's.
-    time : ndarray, shape (samples,)
-        Times of the samples [s].
-    """
-    turns, runs = matrices(attitude), list[PieceRun]()
-    fates = fates_of([body.piece for body in bodies], trace.place, turns, trace.gaps, trace.given_up)
-    for b, (body, fate) in enumerate(zip(bodies, fates, strict=True)):
+def piece_runs(traced: Trace, time: NDArray[np.float64]) -> tuple[PieceRun, ...]:
+    """Return what bodies did; see `results_of`."""
+    (turns, fates), trace, runs = traced.turns_and_fates(), traced.trace, list[PieceRun]()
+    for b, (body, fate) in enumerate(zip(traced.bodies, fates, strict=True)):
         piece = body.piece
         overturned, fell_off = (
             math.nan if sample is None else float(time[sample]) for sample in (fate.overturned, fate.fell_off)
