@@ -116,16 +116,12 @@ def input_digest(name: str, path: Path) -> str:
         No file, or one that cannot be read.
     """
     try:
-        regular = path.is_file() or not path.exists()
-    except ValueError as error:  # a zero byte in the name
+        if path.is_file() or not path.exists():
+            return digest_of(path)
+    except (OSError, ValueError) as error:  # a name with a zero byte or half a surrogate pair is a ValueError
         raise unreadable(path, error) from None
-    if not regular:  # a pipe would be read but once, a device for ever
-        what = phrase("inventory.the", what=called(name))
-        raise not_allowed(what, repr(str(path)), "inventory.not_a_file")
-    try:
-        return digest_of(path)
-    except OSError as error:
-        raise unreadable(path, error) from None
+    what = phrase("inventory.the", what=called(name))  # a pipe would be read but once, a device for ever
+    raise not_allowed(what, repr(str(path)), "inventory.not_a_file")
 
 
 @contextmanager
