@@ -84,7 +84,9 @@ bench-app: $(STAMP)-test
 bench-inventory: $(STAMP)-test
 	$(BIN)/python benchmarks/inventory.py $(BENCH_ARGS)
 
+# Stubs of names that are gone would be warned of.
 docs: $(STAMP)-docs
+	@rm -rf docs/generated/api
 	$(BIN)/python -m sphinx -W --keep-going -q -b html -d docs/_build/doctrees docs docs/_build/html
 	@echo "docs/_build/html/index.html"
 
