@@ -55,9 +55,7 @@ from .motion.synthetic import near_fault as near_fault
 from .motion.synthetic import pulse as pulse
 from .motion.synthetic import sine as sine
 from .rooms import ActionPlan as ActionPlan
-from .rooms import RoomVerdict as RoomVerdict
 from .rooms import action_plan as action_plan
-from .rooms import verify_room as verify_room
 from .scenario import Scenario as Scenario
 from .scenario import read_scenario as read_scenario
 from .scenario.sweep import sweep as sweep

@@ -18,7 +18,7 @@ from stayput.model.floor_plan import rectangle
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.rooms.contact import ENTERS_BY, RoomContact, contact_with_place, meet
 from stayput.rooms.events import CELL, PASSAGE, Ways
-from stayput.rooms.tracks import Track, at_rest, outline_of, track_in_plane
+from stayput.simulation.tracks import Track, at_rest, outline_of, track_in_plane
 from stayput.simulation.convex import inside_each_other
 
 

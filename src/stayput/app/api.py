@@ -25,7 +25,7 @@ from stayput.catalogue import Language  # noqa: TC001 - FastAPI reads the annota
 from stayput.scenario import Scenario
 from stayput.scenario.toml import table_of_toml
 from stayput.spreadsheets import CSV_ENCODING
-from stayput.verification import Verdict, verify
+from stayput.verification import verify
 from stayput.verification.compare import curve_levels
 
 if TYPE_CHECKING:
@@ -90,11 +90,11 @@ def _add_general(router: APIRouter, service: Service) -> None:
 
 def _add_runs(router: APIRouter, service: Service) -> None:
     @router.post("/simulate", response_model=SimulateReply, responses=problems(*OF_BODY))
-    async def simulate(request: Request, body: requests.MeasuredRequest) -> Response:
+    async def simulate(request: Request, body: requests.RunRequest) -> Response:
         """Run a scene without and with measures, in the plane or in space; several pieces in space."""
 
         def work(_left: Stop) -> Response:
-            reply = simulated(service.shaken(body.scene, body.measures))
+            reply = simulated(service.shaken(body.scene, body.measures), body.sample)
             reply.motion.name = service.motions.with_file_names(reply.motion.name)
             return json_response(reply)
 
@@ -102,14 +102,12 @@ def _add_runs(router: APIRouter, service: Service) -> None:
         return await service.while_awaited(workers, request, work)
 
     @router.post("/simulate/csv", **of_file(OF_BODY, "text/csv"))
-    async def simulate_csv(
-        request: Request, body: requests.MeasuredRequest, which: Which = "without"
-    ) -> Response:
+    async def simulate_csv(request: Request, body: requests.RunRequest, which: Which = "without") -> Response:
         """Run a scene without or with measures; return its histories at the record's samples."""
 
         def work(_left: Stop) -> Response:
             scenario = service.shaken(body.scene, body.measures)
-            return attachment(run_csv(scenario, held=which == "with"), f"run_{which}.csv")
+            return attachment(run_csv(scenario, held=which == "with", sample=body.sample), f"run_{which}.csv")
 
         return await service.while_awaited(service.slow, request, work)
 
@@ -118,7 +116,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
     @router.post("/simulate/film", **of_file((*OF_BODY, 404, 409), *films))
     async def simulate_film(
         request: Request,
-        body: requests.MeasuredRequest,
+        body: requests.RunRequest,
         which: Which = "without",
         kind: Annotated[Literal["html", "gif", "mp4"], Query()] = "html",
         lang: Annotated[Language, Query()] = "en",
@@ -139,6 +137,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
                 lang,
                 service.limits,
                 held=which == "with",
+                sample=body.sample,
                 seconds=seconds,
                 note=note,
                 named=service.motions.with_file_names,
@@ -212,7 +211,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     async def table(name: requests.Name) -> Response:
         """Return the ranking of a job as a table."""
         _, verdict = service.done(name)
-        file = "stayput_ranking.csv" if isinstance(verdict, Verdict) else "stayput_room.csv"
+        file = "stayput_ranking.csv" if verdict.scenario.plan is None else "stayput_room.csv"
         return await service.workers.run(lambda: attachment(verdict.to_csv().encode(CSV_ENCODING), file))
 
 

@@ -19,7 +19,6 @@ from stayput.app.refusals import refused
 from stayput.app.running import own_measures, runs_of
 from stayput.report.animation import animate_run
 from stayput.report.names import names_of
-from stayput.rooms.verdict import RoomVerdict
 from stayput.scenario import Scenario
 from stayput.scenario.shaking import RECORD_FILES
 
@@ -28,12 +27,12 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.app.jobs import AnyVerdict
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
     from stayput.catalogue import Language
     from stayput.scenario import Scenario
     from stayput.simulation.run import Run
+    from stayput.verification import Verdict
 
 KINDS = {
     ".csv": {"Content-Type": "text/csv; charset=utf-8"},
@@ -72,7 +71,7 @@ def scene_toml(scenario: Scenario, motions: Motions) -> str:
     return note + scenario.model_copy(update={"shaking": changed}).to_toml()
 
 
-def run_csv(scenario: Scenario, *, held: bool) -> str:
+def run_csv(scenario: Scenario, *, held: bool, sample: int | None = None) -> str:
     """Return the histories of a run as a table, one line for each piece and sample.
 
     The floor's motion stands beside them, and the forces of each device: pull along its normal,
@@ -84,8 +83,10 @@ def run_csv(scenario: Scenario, *, held: bool) -> str:
         The scene.
     held : bool
         Whether the user's measures are in place.
+    sample : int, optional
+        As of `runs_of`.
     """
-    run = _shown(scenario, held=held)
+    run = _shown(scenario, held=held, sample=sample)
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     modes = list[str](run.mode.tolist())
@@ -134,6 +135,7 @@ def film(
     limits: Limits,
     *,
     held: bool,
+    sample: int | None = None,
     seconds: float | None = None,
     note: str = "",
     named: Callable[[str], str] = str,
@@ -153,6 +155,8 @@ def film(
         How long a GIF or MP4 may be.
     held : bool
         Whether the user's measures are in place.
+    sample : int, optional
+        As of `runs_of`.
     seconds : float, optional
         How much of the run is shown, in which something happens [s]; by default all.
     note : str
@@ -174,15 +178,15 @@ def film(
         raise refused(422, "app.long_film", "scene.shaking", value=motion.duration, most=limits.film)
     with tempfile.TemporaryDirectory(prefix="stayput-film-") as folder:
         path = Path(folder, f"run.{kind}")
-        shown = _shown(scenario, held=held)
+        shown = _shown(scenario, held=held, sample=sample)
         run = replace(shown, motion=replace(shown.motion, name=named(shown.motion.name)))
         animate_run(run, path, language=language, seconds=seconds, note=note, progress=progress)
         return path.read_bytes()
 
 
-def _shown(scenario: Scenario, *, held: bool) -> Run:
+def _shown(scenario: Scenario, *, held: bool, sample: int | None) -> Run:
     """Return the run of a scene."""
-    return runs_of(scenario, own_measures(scenario) if held else ())[0]
+    return runs_of(scenario, own_measures(scenario) if held else (), sample=sample)[0]
 
 
 def _forces(run: Run) -> dict[str, NDArray[np.float64]]:
@@ -195,12 +199,12 @@ def _forces(run: Run) -> dict[str, NDArray[np.float64]]:
     return columns
 
 
-def report_page(verdict: AnyVerdict, language: str, motions: Motions) -> bytes:
+def report_page(verdict: Verdict, language: str, motions: Motions) -> bytes:
     """Return the report of a verdict: one HTML file.
 
     Parameters
     ----------
-    verdict : Verdict or RoomVerdict
+    verdict : Verdict
         The result of the verification.
     language : str
         "en" or "ja".
@@ -210,7 +214,7 @@ def report_page(verdict: AnyVerdict, language: str, motions: Motions) -> bytes:
     from stayput.report.room.report import room_html
     from stayput.report.verdict.html import report_html  # Matplotlib takes its time to load
 
-    if isinstance(verdict, RoomVerdict):
+    if verdict.scenario.plan is not None:
         return motions.with_file_names(room_html(verdict, language)).encode("utf-8")
     with _drawing:
         return motions.with_file_names(report_html(verdict, language)).encode("utf-8")

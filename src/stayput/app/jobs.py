@@ -22,12 +22,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from stayput.app.limits import Limits
-    from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario import Scenario
     from stayput.verification import Verdict
 
-    AnyVerdict = Verdict | RoomVerdict
-    JobWork = Callable[[Callable[[int, int], None], Callable[[AnyVerdict], None]], AnyVerdict]
+    JobWork = Callable[[Callable[[int, int], None], Callable[[Verdict], None]], Verdict]
 
 JobState = Literal["waiting", "running", "done", "cancelled", "failed"]
 _log = logging.getLogger("stayput.app")
@@ -49,7 +47,7 @@ class Job:
         Who has asked for it.
     motions : frozenset of str
         The uploaded motions that it reads.
-    verdict : Verdict, RoomVerdict or None
+    verdict : Verdict or None
         Its result; while it runs, as far as it is known.
     error : InputError or None
         Why it failed.
@@ -70,7 +68,7 @@ class Job:
     lease: float | None = None
     state: JobState = "waiting"
     done: int = 0
-    verdict: AnyVerdict | None = None
+    verdict: Verdict | None = None
     error: InputError | None = None
     began: float = field(default_factory=time.monotonic)
     ended: float | None = None
@@ -207,7 +205,7 @@ class Jobs:
                 job.turn.leave()
 
     def _run(self, job: Job, work: JobWork) -> None:
-        def note_verdict(verdict: AnyVerdict) -> None:
+        def note_verdict(verdict: Verdict) -> None:
             with self._lock:
                 if job.ended is None:
                     job.verdict = verdict
@@ -236,7 +234,7 @@ class Jobs:
             self._end(job, "done", verdict=verdict)
 
     def _end(
-        self, job: Job, state: JobState, verdict: AnyVerdict | None = None, error: InputError | None = None
+        self, job: Job, state: JobState, verdict: Verdict | None = None, error: InputError | None = None
     ) -> None:
         """Let a job's thread go; a job that was cancelled meanwhile stays so."""
         with self._lock:

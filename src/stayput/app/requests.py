@@ -64,6 +64,18 @@ class MeasuredRequest(SceneRequest):
     measures: Measures
 
 
+class RunRequest(MeasuredRequest):
+    """A scene that is run once."""
+
+    sample: Annotated[
+        Annotated[int, Field(ge=0, le=1_000_000)] | None,
+        Field(
+            description="Of several pieces, the run of a verdict: that of this sample, from 0, of the "
+            "motion; else what stands is run as it is stated."
+        ),
+    ] = None
+
+
 class VerificationRequest(SceneRequest):
     """A scene to be verified as a job."""
 

@@ -21,10 +21,8 @@ from stayput.errors import InputError
 from stayput.report.room.card import plan_html
 from stayput.rooms.decisions import changes_between
 from stayput.rooms.planning import action_plan
-from stayput.rooms.runs import groups_of
 from stayput.rooms.steps import Home
-from stayput.rooms.verdict import RoomVerdict
-from stayput.rooms.verify import verify_room
+from stayput.verification import verify
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -37,6 +35,7 @@ if TYPE_CHECKING:
     from stayput.execution import Stop
     from stayput.rooms.steps import ActionPlan
     from stayput.scenario import Scenario
+    from stayput.verification import Verdict
 
 
 AskedHome = Annotated[Home, Depends()]
@@ -56,11 +55,11 @@ def add_rooms(router: APIRouter, service: Service) -> None:
 
         scenario, runs, before = await service.workers.run(prepare)
 
-        return service.begun(partial(verify_room, changes=body.changes), body, scenario, runs, before)
+        return service.begun(partial(verify, changes=body.changes), body, scenario, runs, before)
 
-    def finished(name: str) -> tuple[Job, RoomVerdict]:
+    def finished(name: str) -> tuple[Job, Verdict]:
         job, verdict = service.done(name)
-        if not isinstance(verdict, RoomVerdict):
+        if verdict.scenario.plan is None:
             raise refused(409, "app.no_report_yet", state=job.state)
         return job, verdict
 
@@ -143,14 +142,14 @@ def _checked(scenario: Scenario, limits: Limits) -> int:
     except InputError as error:
         raise refusal(error) from None
     motions = motions_of(scenario.shaking)
-    runs = len(groups_of(scenario)) * motions * max(1, -(-scenario.samples // motions))
+    runs = motions * max(1, -(-scenario.samples // motions))
     if runs > limits.runs_of_room:
         raise too_many("uncertainty.samples", runs, limits.runs_of_room, "app.runs")
     return runs
 
 
 def _plan(
-    job: Job, verdict: RoomVerdict, home: Home, threads: int | None, on_progress: Callable[[int], None]
+    job: Job, verdict: Verdict, home: Home, threads: int | None, on_progress: Callable[[int], None]
 ) -> ActionPlan:
     """Return the plan of a room; changes that are tried in it are its steps.
 

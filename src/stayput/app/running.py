@@ -16,16 +16,18 @@ from stayput.catalogue import phrase
 from stayput.catalogue.names import ANY_PIECE
 from stayput.errors import InputError
 from stayput.model.room import WALLS_AROUND
+from stayput.montecarlo.counting import Member
 from stayput.montecarlo.hazard import Ground
 from stayput.motion.intensity import intensity_class, published_intensity
 from stayput.report.film.posed import posed
 from stayput.report.film.scene import TIME_DIGITS, ground_displacement, scene_of
 from stayput.report.film.shape import rounded
 from stayput.report.summary import device_results, piece_results, place_called, sentences_of_piece
-from stayput.rooms.events import happens_in
 from stayput.scenario.option import YOURS
 from stayput.simulation.outcome import EventKind
 from stayput.simulation.space_fate import ROCKED, SLID
+from stayput.verification.events import happens_in
+from stayput.verification.replays import drawn_run
 from stayput.verification.words import class_phrase
 
 if TYPE_CHECKING:
@@ -57,8 +59,18 @@ def own_measures(scenario: Scenario) -> tuple[Measure, ...]:
     return next((measure_set.measures for measure_set in scenario.options if measure_set.name == YOURS), ())
 
 
-def runs_of(scenario: Scenario, *sets: tuple[Measure, ...]) -> list[Run]:
+def runs_of(scenario: Scenario, *sets: tuple[Measure, ...], sample: int | None = None) -> list[Run]:
     """Run a piece with each of some sets of measures, in the plane or in space; or several pieces, once.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        What stands.
+    *sets : tuple of Measure
+        Measures on a lone piece.
+    sample : int, optional
+        Of several pieces: the run of a verdict with this sample, from 0, of the motion that is shown; else
+        what stands runs as it is stated.
 
     Raises
     ------
@@ -68,6 +80,9 @@ def runs_of(scenario: Scenario, *sets: tuple[Measure, ...]) -> list[Run]:
     runs: list[Run] = []
     place = "scene"
     try:
+        if not scenario.alone and sample is not None and scenario.shaking.suite is not None:
+            member = Member((scenario.shaking.member or 1) - 1, sample)
+            return [drawn_run(scenario, scenario.stated, member)]
         if not scenario.alone:
             return [scenario.run()]
         case, piece = scenario.case(), scenario.piece
@@ -80,7 +95,7 @@ def runs_of(scenario: Scenario, *sets: tuple[Measure, ...]) -> list[Run]:
     return runs
 
 
-def simulated(scenario: Scenario) -> run_replies.SimulateReply:
+def simulated(scenario: Scenario, sample: int | None = None) -> run_replies.SimulateReply:
     """Run a scene: one piece without and with the user's measures, or several pieces.
 
     Raises
@@ -91,7 +106,7 @@ def simulated(scenario: Scenario) -> run_replies.SimulateReply:
     shaking, measures = scenario.shaking, own_measures(scenario)
     bare = shaking.model_copy(update={"building": None, "storey": None})
     ground = scenario.model_copy(update={"shaking": bare}).motion()
-    runs = runs_of(scenario, (), *([measures] if measures else []))
+    runs = runs_of(scenario, (), *([measures] if measures else []), sample=sample)
     drawn = [posed(run) for run in runs]
     scenes = [scene_of(shown, shown.names, drawn) for shown in drawn]
     data = [scene.data() for scene in scenes]

@@ -18,14 +18,13 @@ from stayput.app.turns import StoppedError, Turns, Workers
 from stayput.app.verification import job_reply
 from stayput.catalogue import phrase
 from stayput.execution import Stop
-from stayput.rooms.verdict import RoomVerdict
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from starlette.requests import Request
 
-    from stayput.app.jobs import AnyVerdict, Job
+    from stayput.app.jobs import Job
     from stayput.app.limits import Limits
     from stayput.app.requests import VerificationRequest
     from stayput.app.verdict_replies import JobReply
@@ -179,7 +178,7 @@ class Service:
 
     def begun(
         self,
-        verification: Callable[..., AnyVerdict],
+        verification: Callable[..., Verdict],
         body: VerificationRequest,
         scenario: Scenario,
         runs: int,
@@ -190,7 +189,7 @@ class Service:
         Parameters
         ----------
         verification : callable
-            `verify` or `verify_room`.
+            `verify`, with what is asked beside the scene.
         body : VerificationRequest
             What was asked.
         scenario : Scenario
@@ -199,9 +198,7 @@ class Service:
             As ``total`` and ``before`` of `Jobs.start`.
         """
 
-        def work(
-            on_progress: Callable[[int, int], None], on_verdict: Callable[[AnyVerdict], None]
-        ) -> AnyVerdict:
+        def work(on_progress: Callable[[int, int], None], on_verdict: Callable[[Verdict], None]) -> Verdict:
             return verification(
                 scenario,
                 slide_limit=body.slide_limit_m,
@@ -214,7 +211,7 @@ class Service:
         job = self.jobs.start(work, runs, uploaded_motions(scenario), body.lease_s, before)
         return json_response(self.reply_of(job), 202, {"Location": f"/api/v1/jobs/{job.id}"})
 
-    def done(self, name: str) -> tuple[Job, AnyVerdict]:
+    def done(self, name: str) -> tuple[Job, Verdict]:
         """Return a job that is done, and its verdict.
 
         Raises
@@ -236,7 +233,7 @@ class Service:
             There is no such job, it has no verdict yet, or it is of a room.
         """
         job, verdict = self.done(name)
-        if isinstance(verdict, RoomVerdict):
+        if verdict.scenario.plan is not None:
             raise refused(409, "app.of_a_room")
         return job, verdict
 

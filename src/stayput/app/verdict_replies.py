@@ -1,4 +1,4 @@
-"""Replies about verifications, of a piece and of a room: jobs and verdicts.
+"""Replies about verifications: jobs and verdicts.
 
 A verdict is sent as its JSON file has it. Described here is what a program needs first, and what only the
 server says; the further keys of the file come with it.
@@ -40,13 +40,46 @@ class CurveReply(Reply):
     observed: list[ShareReply] = Field(description="At the levels that were run, each an intensity `im`.")
 
 
+class ZoneReply(Reply):
+    """A share of the runs on each cell of the floor."""
+
+    nx: int
+    ny: int
+    shares: str = Field(description="Base 64 of bytes, 255 being 1: all y of the first x, then the next.")
+
+
+class PieceVerdictReply(PartReply):
+    """What becomes of a piece with an option."""
+
+    name: str
+    probabilities: dict[str, ShareReply]
+    falls: bool = Field(description="Whether it overturns so often that it is to be held.")
+    fell: ZoneReply | None = Field(
+        default=None, description="Where it lies in a room having overturned: its fall zone."
+    )
+    stood: ZoneReply | None = Field(
+        default=None, description="Where it ends there without having overturned: its slide zone."
+    )
+
+
+class ChangeReply(Reply):
+    """What an option changes of a room as it is."""
+
+    what: str
+    table: str = Field(description="Where it is in the scene: furniture or places.")
+    measures: list[dict[str, Any]] | None = Field(description="What is put on the piece, as in a scene.")
+    drilled: bool
+    at_m: list[float] | None
+    heading_rad: float | None
+
+
 class OptionReply(PartReply):
     """One of the things that may be done."""
 
     rank: int
     name: str
     label: Words
-    measures: list[dict[str, Any]] = Field(description="As a scene has them.")
+    measures: list[dict[str, Any]] = Field(description="On all pieces, as a scene has them.")
     reason: Words
     asides: list[Words] = Field(
         description="What comes out, and how often it overturns as people install it, where that is asked."
@@ -56,6 +89,11 @@ class OptionReply(PartReply):
     yours: bool
     probabilities: dict[str, ShareReply]
     overturned_change: ShareReply | None = Field(description="Less the probability without measures.")
+    pieces: list[PieceVerdictReply]
+    people: dict[str, Any] | None = Field(description="What happens to people in a room.")
+    changes: list[ChangeReply] = Field(default=[], description="What it changes of a room as it is.")
+    tags: list[Words] = Field(default=[], description="What is clearly better or worse with it in a room.")
+    helps: bool
     curve: CurveReply | None
 
 
@@ -80,63 +118,11 @@ class VerdictReply(PartReply):
     seconds: float
     options: list[OptionReply]
     not_possible: list[dict[str, Any]] = Field(description="Options that cannot be put in place, and why.")
-    estimates: dict[str, Any] = Field(description="By formulas, without measures; `rows` are in words.")
-    everyday: EverydayReply
-
-
-class ZoneReply(Reply):
-    """A share of the runs on each cell of the floor."""
-
-    nx: int
-    ny: int
-    shares: str = Field(description="Base 64 of bytes, 255 being 1: all y of the first x, then the next.")
-
-
-class RoomPieceReply(PartReply):
-    """What becomes of a piece."""
-
-    name: str
-    probabilities: dict[str, ShareReply]
-    falls: bool = Field(description="Whether it overturns so often that it is to be held.")
-    fell: ZoneReply = Field(description="Where it lies having overturned: its fall zone.")
-    stood: ZoneReply = Field(description="Where it ends without having overturned: its slide zone.")
-
-
-class RoomChangeReply(PartReply):
-    """What a single change of the room brings."""
-
-    what: str
-    table: str = Field(description="Where it is in the scene: furniture or places.")
-    label: Words
-    sentence: Words
-    measures: list[dict[str, Any]] | None = Field(description="What is put on the piece, as in a scene.")
-    hit_change: ShareReply
-    helps: bool
-
-
-class TypicalRunReply(Reply):
-    """A run in which what happens most often happens."""
-
-    member: int = Field(description="Which of the motions, from 1 on.")
-    direction_rad: float
-
-
-class RoomVerdictReply(PartReply):
-    """The verdict on a room."""
-
-    complete: bool = Field(description="Whether it is final; else runs and changes are still to come.")
-    verdict: Words
-    best: Words
-    motions: int
-    samples: int
-    runs: int
-    hit: ShareReply
-    shut_in: ShareReply
-    places: list[dict[str, Any]] = Field(description="What happens at the places of people.")
-    doors: list[dict[str, Any]] = Field(description="Whether each can be used afterwards.")
-    pieces: list[RoomPieceReply]
-    changes: list[RoomChangeReply]
-    typical: TypicalRunReply | None = Field(description="A run to look at.")
+    estimates: dict[str, Any] | None = Field(
+        description="Of a lone piece, by formulas, without measures; `rows` are in words."
+    )
+    everyday: EverydayReply | None
+    cell_m: float | None = Field(description="Side of a cell of the floor of a room.")
 
 
 class JobReply(Reply):
@@ -150,9 +136,7 @@ class JobReply(Reply):
     seconds: float
     position: int | None = Field(description="How many jobs have their turn before it, while it waits.")
     error: Problem | None
-    result: VerdictReply | RoomVerdictReply | None = Field(
-        description="As far as it is known; final once it is `complete`."
-    )
+    result: VerdictReply | None = Field(description="As far as it is known; final once it is `complete`.")
 
 
 class PlanProgressReply(Reply):

@@ -11,28 +11,21 @@ from stayput.app.refusals import problem
 from stayput.app.replies import Words
 from stayput.app.running import own_measures
 from stayput.app.scenes import motions_of, too_many
-from stayput.app.verdict_replies import (
-    EverydayReply,
-    JobReply,
-    RoomVerdictReply,
-    TypicalRunReply,
-    VerdictReply,
-    ZoneReply,
-)
+from stayput.app.verdict_replies import EverydayReply, JobReply, VerdictReply, ZoneReply
 from stayput.fragility.curve import METHOD, CurveState
 from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures import hold
-from stayput.report.room.data import room_data
 from stayput.report.summary import by_language
 from stayput.report.verdict.data import everyday_data, verdict_data
 from stayput.report.verdict.tables import estimate_rows
-from stayput.rooms.verdict import RoomVerdict
 from stayput.scenario import Scenario
 from stayput.scenario.measures import table_of
 from stayput.scenario.option import YOURS
 from stayput.verification.contents import runs_of_contents
+from stayput.verification.events import CELL
 from stayput.verification.notes import everyday_note, shaken_notes
 from stayput.verification.options import compared_options, usual, weakest
+from stayput.verification.room_words import tags
 from stayput.verification.words import asides
 
 if TYPE_CHECKING:
@@ -40,7 +33,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.app.jobs import AnyVerdict, Job
+    from stayput.app.jobs import Job
     from stayput.app.limits import Limits
     from stayput.fragility.curve import FragilityCurve
     from stayput.verification import Verdict
@@ -124,29 +117,28 @@ def job_reply(job: Job, rewrite: Callable[[str], str]) -> JobReply:
         progress=1.0 if state == "done" else min(1.0, job.done / max(1, job.total)),
         seconds=round(job.seconds, 3),
         error=None if job.error is None else problem(job.error.rewritten(rewrite)),
-        result=verdict and _any_verdict_reply(verdict),
+        result=verdict and verdict_reply(verdict),
     )
 
 
-def _any_verdict_reply(verdict: AnyVerdict) -> VerdictReply | RoomVerdictReply:
-    return _room_verdict_reply(verdict) if isinstance(verdict, RoomVerdict) else verdict_reply(verdict)
-
-
 def verdict_reply(verdict: Verdict) -> VerdictReply:
-    """Return a verdict on a piece as its JSON file has it, with what the page says beside it."""
-    data = verdict_data(verdict)
+    """Return a verdict as its JSON file has it, with what the page says and draws beside it."""
+    data, scenario = verdict_data(verdict), verdict.scenario
     for key in ("assumptions", "scenario_toml"):  # they are in the report
         del data[key]
     for result, option in zip(verdict.options, data["options"], strict=True):
         _extend_option(option, result, verdict)
-    looked_at = _looked_at(verdict).option
-    data["estimates"]["rows"] = _estimates(verdict)
+        if scenario.plan is not None:
+            _extend_room(option, result, verdict)
+    if scenario.alone:
+        data["estimates"]["rows"] = _estimates(verdict)
     return VerdictReply.model_validate(
         {
             **data,
             "complete": verdict.complete,
-            "notes": [by_language(note) for note in shaken_notes(verdict, looked_at)],
-            "everyday": everyday_reply(verdict),
+            "notes": [by_language(note) for note in shaken_notes(verdict, _looked_at(verdict).option)],
+            "everyday": everyday_reply(verdict) if scenario.alone else None,
+            "cell_m": None if scenario.plan is None else CELL,
         }
     )
 
@@ -181,6 +173,29 @@ def _extend_option(data: dict[str, Any], result: OptionVerdict, verdict: Verdict
     }
 
 
+def _extend_room(data: dict[str, Any], result: OptionVerdict, verdict: Verdict) -> None:
+    """Put into an option's data what a page of a room draws, and which changes make it."""
+    names = verdict.scenario.names
+    for piece, of_piece in zip(data["pieces"], result.pieces, strict=True):
+        zones = of_piece.zones
+        piece["outline_m"] = None if zones is None else zones.outline.tolist()
+        piece["fell"], piece["stood"] = (
+            (None, None) if zones is None else (_zone(zones.fell), _zone(zones.stood))
+        )
+    data["tags"] = [by_language(tag) for tag in tags(result)]
+    data["changes"] = [
+        {
+            "what": change.what,
+            "table": "furniture" if change.what in names else "places",
+            "measures": None if change.measure is None else [table_of(change.measure)],
+            "drilled": change.measure is not None and change.measure.drilled,
+            "at_m": None if change.at is None else list(change.at),
+            "heading_rad": change.heading,
+        }
+        for change in verdict.changes(result)
+    ]
+
+
 def _curve(curve: FragilityCurve, levels: list[dict[str, Any]]) -> dict[str, Any]:
     grid, fitted = curve.grid(CURVE_POINTS), curve.state is CurveState.FITTED
     low, high = curve.band(grid)
@@ -199,19 +214,6 @@ def _curve(curve: FragilityCurve, levels: list[dict[str, Any]]) -> dict[str, Any
 
 def _shares(values: NDArray[np.float64]) -> list[float]:
     return np.round(values, 5).tolist()
-
-
-def _room_verdict_reply(verdict: RoomVerdict) -> RoomVerdictReply:
-    """Return a verdict on a room as its JSON file has it, with what the page draws beside it."""
-    data, run = room_data(verdict), verdict.typical
-    for piece, result in zip(data["pieces"], verdict.pieces, strict=True):
-        piece["fell"], piece["stood"] = _zone(result.fell), _zone(result.stood)
-    for change, result in zip(data["changes"], verdict.changes, strict=True):
-        measure = result.change.measure
-        change["measures"] = None if measure is None else [table_of(measure)]
-        change["table"] = "furniture" if result.change.what in verdict.scenario.names else "places"
-    typical = None if run is None else TypicalRunReply(member=run.member, direction_rad=run.direction)
-    return RoomVerdictReply.model_validate({**data, "complete": verdict.complete, "typical": typical})
 
 
 def _zone(shares: NDArray[np.float64]) -> ZoneReply:

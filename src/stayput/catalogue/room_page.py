@@ -67,7 +67,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Counting how often somebody is there: {day} by day, {night} at night.",
         "人がいる時間の割合を掛けると、昼は{day}、夜は{night}です。",
     ),
-    "byPiece": ("by the piece “{piece}”", "「{piece}」が当たる"),
+    "fallsOn": ("“{piece}” falls on them", "「{piece}」が倒れかかる"),
+    "slidesAgainst": ("“{piece}” slides against them", "「{piece}」が滑って当たる"),
     "hitByNothing": ("Nothing hits there.", "当たる家具はありません。"),
     "impact": (
         "It weighs {mass} kg. Speed where it hits: {speed}. Energy: {energy}.",
@@ -87,7 +88,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "blockedAtRest": ("It is blocked as the furniture stands.", "家具を置いた状態でふさがっています。"),
     "whichPieces": ("Which piece does most harm?", "最も危ない家具はどれか"),
     "piecesOrder": ("Most harm first; bars: chance of falling over.", "危ない順です。棒は倒れる確率です。"),
-    "contributes": ("It makes up {share} of the chance of being hit.", "人に当たる危険の{share}を占めます。"),
+    "contributes": ("It makes up {share} of the harm to people.", "人への被害の{share}を占めます。"),
     "inTheWay": (
         "It is in the way out: somebody is shut in {now}, and in {then} with this change: {change}.",
         "外への通り道をふさぎます。出られない確率は{now}で、「{change}」と{then}になります。",
@@ -96,8 +97,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "fallsOften": ("{piece} ({share})", "{piece}（{share}）"),
     "pieceSlides": ("Slides far in {share}.", "大きく滑る確率は{share}。"),
     "pieceFails": ("What holds it fails in {share}.", "固定が外れる確率は{share}。"),
-    "meetTitle": ("Pieces that hit each other", "ぶつかり合う家具"),
-    "meet": ("{one} and {other}", "{one}と{other}"),
     # What helps
     "whatHelpsRoom": ("Which single change helps most?", "どの変更が最も効くか"),
     "changesWait": ("The changes are being worked out one by one …", "変更を1つずつ計算しています…"),

@@ -92,24 +92,15 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # Pieces
     "pieces": ("What the pieces do", "各家具の動き"),
+    "piece_harm": ("Harm to people", "人への被害"),
     "pieces_text": (
         (
-            "Most dangerous first: by the chance that a piece hits somebody, counting how long people are at each place. "
-            "The slide is the largest in a run; there is no number where the piece overturns."
+            "Most dangerous first. Harm is the energy with which a piece hits somebody, on average over all runs, counting "
+            "how long people are at each place. The slide is the largest in a run; there is no number where the piece "
+            "overturns."
         ),
-        "人がいる時間を考慮した、その家具が人に当たる確率の高い順です。移動量は揺れの間の最大値で、転倒した場合は数値を示しません。",
+        "危険な順です。被害は、人がいる時間を考慮した、家具が人に当たるエネルギーの全計算の平均です。移動量は揺れの間の最大値で、転倒した場合は数値を示しません。",
     ),
-    "piece_risk": ("Hits somebody, counting the hours", "人に当たる確率（いる時間を考慮）"),
-    "engine": ("Simulated", "計算"),
-    "in_plane": ("in the plane across its length", "断面（奥行き方向の平面）"),
-    "in_space": ("in space", "三次元"),
-    "collisions": ("Pieces that meet", "家具どうしの衝突"),
-    "collisions_text": (
-        "The chance that their paths meet. What they do to each other after that is not followed.",
-        "動く範囲が重なる確率です。ぶつかった後の動きは追っていません。",
-    ),
-    "meet": ("They meet", "ぶつかる確率"),
-    "no_collision": ("No two pieces met in any run.", "どの計算でも、家具どうしはぶつかりませんでした。"),
     # Changes
     "changes": ("Single changes, best first", "変更の候補（効果の大きい順）"),
     "changes_text": (
@@ -127,15 +118,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "no_changes": ("No changes were compared.", "比較した変更はありません。"),
     "moved_text": ("{change}. Dashed: where it stands now.", "{change}。破線は現在の位置です。"),
     # What it rests on
-    "limit_alone": ("Each piece by itself", "家具ごとの計算"),
-    "limit_alone_text": (
-        (
-            "Pieces that neither stand on nor hold each other are simulated one by one. Long pieces on the floor run "
-            "in the plane across their length, the others in space. Where two would meet is counted, but they do "
-            "not push each other."
-        ),
-        "積み重ねても連結してもいない家具は、1つずつ計算します。床に置いた長い家具は奥行き方向の平面内で、ほかは三次元で計算します。動く範囲が重なることは数えますが、互いに押し合う効果は考慮しません。",
-    ),
     "limit_persons": ("Persons and beds", "人とベッド"),
     "limit_persons_text": (
         "They are boxes that stay where they are. A bed, a desk or a person does not stop a piece that falls on them.",

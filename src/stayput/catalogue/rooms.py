@@ -45,11 +45,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} reaches {depth:.3g} m into {other}; it must stand beside it.",
         "{name}が{other}に{depth:.3g} m入り込んでいます。重ならないように置いてください。",
     ),
-    "use_verify_room": (
-        "A room with a plan was given; it must go to verify_room.",
-        "部屋（[plan]）が渡されました。verify_roomを使ってください。",
-    ),
-    "options_in_a_room": ("beside [plan], where each measure is tried by itself", "[plan]のあるファイル"),
     "no_plan": ("a table with width and length", "幅と奥行きのあるテーブル"),
     "against_without_plan": ("without a [plan]", "[plan]のないファイル"),
     # Names of places
@@ -91,9 +86,13 @@ TEXTS: dict[str, tuple[str, str]] = {
         "強さのばらつきを含む、{strength}を中央とする地震では、",
     ),
     "interval": ("95 % interval: ", "95%区間："),
-    "hits": (
-        "{often} {piece} hits whoever is {place}{interval}",
-        "{often}{piece}が{place}にいる人に当たります{interval}",
+    "falls_on": (
+        "{often} {piece} falls on whoever is {place}{interval}",
+        "{often}{piece}が{place}にいる人の上に倒れます{interval}",
+    ),
+    "slides_against": (
+        "{often} {piece} slides against whoever is {place}{interval}",
+        "{often}{piece}が滑って{place}にいる人に当たります{interval}",
     ),
     "nobody_hit": (
         "in none of the {count} {cases} is anybody hit{interval}",
@@ -157,6 +156,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "report": ("Verification of a room", "部屋の地震対策の検証"),
     "who": ("Who is hit", "人のいる場所"),
     "by": ("by", "当たる家具"),
+    "by_falling": ("falls on them", "倒れかかる"),
+    "by_sliding": ("slides against them", "滑って当たる"),
     "any_piece": ("any piece", "いずれか"),
     "chance": ("chance", "確率"),
     "day": ("by day", "昼"),

@@ -49,7 +49,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{path!r} is no key of the file; it must be like room.left_wall.gap or joints[0].strength.",
         "{path!r}というキーはありません。room.left_wall.gapやjoints[0].strengthのように指定してください。",
     ),
-    "installed_well": ("'well' or left out, for several pieces", "複数の家具では'well'（または省略）"),
     "of_a_lone_piece": (
         "where furniture is not one preset or box written as [furniture], without [plan]",
         "[plan]なしの[furniture]（presetか直方体）以外",

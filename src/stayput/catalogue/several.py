@@ -1,7 +1,6 @@
 """Verdicts on several pieces: what happens with their joints and with measures, and why."""
 
 TEXTS: dict[str, tuple[str, str]] = {
-    "for_levels": ("for several pieces, which have no fragility curves", "曲線を求めない複数の家具"),
     # What an option consists of
     "joined": ("Joints", "接合"),
     "nothing": ("Without joints and measures", "接合・対策なし"),

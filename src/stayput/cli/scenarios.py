@@ -29,7 +29,6 @@ if TYPE_CHECKING:
 
     from stayput.fragility.intensity_measures import IntensityMeasure
     from stayput.report.animation import Progress
-    from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario import Scenario
     from stayput.verification import Verdict
 
@@ -156,8 +155,6 @@ def verify(
     from stayput.errors import within
     from stayput.files import check_target
     from stayput.montecarlo.counting import SLIDE_LIMIT
-    from stayput.rooms.verdict import RoomVerdict
-    from stayput.verification import Verdict
 
     for page in (report, plan):
         if page is not None:
@@ -179,7 +176,7 @@ def verify(
         flags = ", ".join(f"--{name}".replace("_", "-") for name, wanted in home.items() if wanted)
         raise InputError("scenario.needs_both", "--plan", name=flags, other="--plan")
     over = _over(curves, im)
-    of_one = {"--measure": measure, "--curves": curves}
+    of_one = {"--measure": measure}
     checked = opened(scenario, said, (report, markdown, csv, plan), of_one=of_one)
     if plan is not None and checked.plan is None:
         where = phrase("rooms.against_without_plan")
@@ -200,9 +197,9 @@ def verify(
         from stayput.spreadsheets import CSV_ENCODING
 
         write_text(csv, verdict.to_csv(), CSV_ENCODING)
-    if curves is not None and over is not None and isinstance(verdict, Verdict):
+    if curves is not None and over is not None:
         written += _write_curves(verdict, over, curves, lang, aside=instead or json)
-    if plan is not None and isinstance(verdict, RoomVerdict):
+    if plan is not None:
         from stayput.rooms.planning import action_plan
 
         written.append(action_plan(verdict, **home, threads=threads).report(plan, lang))
@@ -253,13 +250,10 @@ def _verified(
     slide_limit: float,
     every_run: bool,
     threads: int | None,
-) -> Verdict | RoomVerdict:
-    from stayput.rooms.verify import verify_room
+) -> Verdict:
     from stayput.verification import verify as compare
 
     with scenario.naming_file(), compiling():
-        if scenario.plan is not None:
-            return verify_room(scenario, slide_limit=slide_limit, threads=threads)
         options: dict[str, Any] = {} if over is None else {"intensity_measures": [over]}
         return compare(scenario, slide_limit=slide_limit, every_run=every_run, threads=threads, **options)
 
@@ -270,13 +264,12 @@ def _write_curves(
     """Write the fragility curves of all options, and tell of each beside the verdict unless that is aside."""
     from stayput.fragility.intensity_measures import MMI
     from stayput.report.verdict.exports import write_curves
-    from stayput.verification.words import title
 
     files, left_out = write_curves(verdict, measure, folder, lang)
     sentences: list[str] = []
     for result in verdict.options:
         curve = result.curves[measure]
-        name = title(result.option, verdict, lang) if lang == "ja" else curve.name
+        name = verdict.label(result, lang) if lang == "ja" else curve.name
         sentences.append(say("cli.curve", lang, name=name, told=curve.texts))
         if curve.lognormal is not None:
             sentences.append(f"  {say(curve.lognormal.texts, lang)}")

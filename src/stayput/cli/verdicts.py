@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -25,7 +24,6 @@ from stayput.report.verdict.tables import (
     ranking,
     simulations,
 )
-from stayput.rooms.verdict import RoomVerdict
 from stayput.verification.words import title
 from stayput.wording import with_aside
 
@@ -34,24 +32,24 @@ if TYPE_CHECKING:
 
     from rich.console import Console
 
-    from stayput.rooms.verdict import ChangeVerdict
     from stayput.verification import Verdict
+    from stayput.verification.verdict import OptionVerdict
 
 _NEXT = 3
 """How many changes of a room are listed after those that help."""
 
 
-def print_verdict(verdict: Verdict | RoomVerdict, lang: str) -> None:
+def print_verdict(verdict: Verdict, lang: str) -> None:
     """Print a verdict.
 
     Parameters
     ----------
-    verdict : Verdict or RoomVerdict
+    verdict : Verdict
         The verdict.
     lang : str
         "en" or "ja".
     """
-    if isinstance(verdict, RoomVerdict):
+    if verdict.scenario.plan is not None:
         _print_room(verdict, lang)
     else:
         _print_options(verdict, lang)
@@ -131,13 +129,13 @@ def _width(table: Table, console: Console) -> int:
     return console.measure(table, options=console.options.update(max_width=10_000)).maximum
 
 
-def _print_room(verdict: RoomVerdict, lang: str) -> None:
+def _print_room(verdict: Verdict, lang: str) -> None:
     """Print a verdict on a room: its sentences, who is hit by what, doors, and the first single changes."""
     console, paragraph = terminal(lang, verdict.scenario.title)
     for sentence in sentences(verdict, lang):
         paragraph(sentence)
     listed = _listed(verdict)
-    for each in tables(replace(verdict, changes=listed), lang):
+    for each in tables(verdict, listed, lang):
         if not each.rows:
             continue
         table = plain_table(each.headings, each.rows, gap=1, justify="right")
@@ -156,13 +154,13 @@ def _print_room(verdict: RoomVerdict, lang: str) -> None:
                 )
         if each.below:
             paragraph(each.below)
-    if more := len(verdict.changes) - len(listed):
+    if more := len(verdict.others) - len(listed):
         paragraph(say("rooms.more_changes", lang, count=more))
     paragraph(simulations_of_room(verdict, lang))
 
 
-def _listed(verdict: RoomVerdict) -> tuple[ChangeVerdict, ...]:
-    """Return the changes that help and the next few; all where only one would be left out."""
-    first = sorted(verdict.changes, key=lambda change: not change.helps)
-    shown = sum(change.helps for change in first) + _NEXT
+def _listed(verdict: Verdict) -> tuple[OptionVerdict, ...]:
+    """Return the options of a room that help and the next few; all where only one would be left out."""
+    first = sorted(verdict.others, key=lambda option: not option.helps)
+    shown = sum(option.helps for option in first) + _NEXT
     return tuple(first if len(first) <= shown + 1 else first[:shown])

@@ -10,6 +10,7 @@ stands at a stronger one, and is run quickly in any case.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING
 
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 
     from stayput.montecarlo.hazard import FloorMotions, PreparedFloor
     from stayput.montecarlo.sampling import Rows
+    from stayput.simulation.piece import Piece
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -45,12 +47,20 @@ class Runs(Outcomes):
     results : ndarray of RESULT, shape (motions, samples, bodies), optional
         What became of each of several pieces; of those that count together any overturned or hit a wall, and
         slide and tilt are the largest of theirs.
+    hits, blocked, shut_in : ndarray, optional
+        What happened in a room with a plan, by motion and sample; see `stayput.montecarlo.scenes.Seen`.
+    tracks : ndarray of Track, shape (motions, samples, bodies), optional
+        Where each piece was, where that was kept.
     """
 
     devices: NDArray[np.void]
     used: NDArray[np.float64]
     masses: NDArray[np.float64]
     results: NDArray[np.void] | None = None
+    hits: NDArray[np.float64] | None = None
+    blocked: NDArray[np.bool_] | None = None
+    shut_in: NDArray[np.bool_] | None = None
+    tracks: NDArray[np.object_] | None = None
 
     def of_bodies(self) -> Iterator[Outcomes]:
         """Yield the outcomes of each of the pieces."""
@@ -222,56 +232,83 @@ def run_levels(
     ----------
     rows : sequence of Rows
         The cases of each.
+    levels, floors_at, every_run, progress
+        As for `settled_levels`, which returns the same.
+    threads : int, optional
+        As many as there are cores by default. The bits do not depend on them.
+    """
+    motions = len(floors_at(float(levels[-1])).motions)
+    cases, elements, motion = joined_rows(rows, motions)
+    shape = (len(rows), motions, len(cases) // (len(rows) * motions))
+
+    def run(floors: FloorMotions, unsettled: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], ...]:
+        chosen = np.flatnonzero(np.repeat(unsettled, shape[2]))
+        results, devices = _ran(cases[chosen], elements[chosen], motion[chosen], floors, threads, progress)
+        used = utilisation(elements[chosen], devices).max(axis=-1, initial=0.0)
+        flags = np.zeros((3, len(cases)), np.bool_)
+        flags[0, chosen] = results["outcome"] == OVERTURNED_OUTCOME
+        flags[1, chosen] = results["outcome"] == FAILED_OUTCOME
+        flags[2, chosen] = calm_runs(cases[chosen], results, used, floors.dimensions)
+        return tuple(flags.reshape(3, *shape))
+
+    return settled_levels(shape, levels, floors_at, run, every_run=every_run, progress=progress)
+
+
+def settled_levels(
+    shape: tuple[int, int, int],
+    levels: NDArray[np.float64],
+    floors_at: Callable[[float], FloorMotions],
+    run: Callable[[FloorMotions, NDArray[np.bool_]], tuple[NDArray[np.bool_], ...]],
+    *,
+    every_run: bool = False,
+    progress: Callable[[int], None] | None = None,
+) -> tuple[list[Falls], int]:
+    """Run at many levels, the strongest first, but what stronger ones settle: that it stands.
+
+    Parameters
+    ----------
+    shape : tuple of int
+        Pieces or options, motions, and samples of each.
     levels : ndarray, shape (levels,)
         JMA intensities of the ground, increasing; at least one.
     floors_at : callable
-        Returns the motions at a level; called as it is needed, the strongest first.
+        Returns the motions at a level; called as it is needed.
+    run : callable
+        Runs those motions of each option that are not settled (bool, options × motions) under the motions of
+        a level; returns of all runs what overturned, what was given up, and what was calm.
     every_run : bool
         Whether all runs are made, those too whose outcome stronger ones tell.
-    threads : int, optional
-        As many as there are cores by default. The bits do not depend on them.
     progress : callable, optional
-        Called with the number of runs just made or settled; an exception that it raises stops the work.
+        Called with the number of runs just settled; an exception that it raises stops the work.
 
     Returns
     -------
     tuple
         The falls of each, and how many runs were made for them.
     """
-    motions = len(floors_at(float(levels[-1])).motions)
-    cases, elements, motion = joined_rows(rows, motions)
-    shape = (len(rows), motions, len(cases) // (len(rows) * motions))
-    samples = shape[2]
-    overturned = np.zeros((len(levels), len(cases)), np.bool_)
+    _, motions, samples = shape
+    overturned = np.zeros((len(levels), *shape), np.bool_)
     missing = np.zeros_like(overturned)
     starts = np.zeros(0, np.intp) if every_run else group_starts(motions, samples)
     unsettled = np.ones(shape[:2], np.bool_)
     calm_from = np.full(shape[:2], -np.inf)  # the strongest level from which on downwards all were calm
     made = 0
     for number in reversed(range(len(levels))):
-        chosen = np.flatnonzero(np.repeat(unsettled, samples))
-        if not len(chosen):
+        if not unsettled.any():
             break
-        made += len(chosen)
+        made += int(unsettled.sum()) * samples
         floors = floors_at(float(levels[number]))
-        chosen_cases, chosen_elements = cases[chosen], elements[chosen]
-        results, devices = _ran(chosen_cases, chosen_elements, motion[chosen], floors, threads, progress)
-        overturned[number, chosen] = results["outcome"] == OVERTURNED_OUTCOME
-        missing[number, chosen] = results["outcome"] == FAILED_OUTCOME
+        overturned[number], missing[number], calm = run(floors, unsettled)
         if not len(starts):
             continue
-        calm = np.zeros(len(cases), np.bool_)
-        used = utilisation(chosen_elements, devices).max(axis=-1, initial=0.0)
-        calm[chosen] = calm_runs(chosen_cases, results, used, floors.dimensions)
-        by_group = np.logical_and.reduceat(calm.reshape(shape).all(axis=2), starts, axis=1)
+        by_group = np.logical_and.reduceat(calm.all(axis=2), starts, axis=1)
         together = np.repeat(by_group, np.diff(starts, append=motions), axis=1)
         calm_from = np.where(together, np.maximum(calm_from, levels[number]), -np.inf)
         settled = unsettled & (calm_from - levels[number] >= APART)
         unsettled &= ~settled
         if progress is not None and settled.any():
             progress(int(settled.sum()) * samples * number)
-    fell, given_up = (flags.reshape(len(levels), *shape) for flags in (overturned, missing))
-    return [Falls(fell[:, piece], given_up[:, piece]) for piece in range(len(rows))], made
+    return [Falls(overturned[:, option], missing[:, option]) for option in range(shape[0])], made
 
 
 def group_starts(motions: int, samples: int) -> NDArray[np.intp]:
@@ -305,6 +342,20 @@ def calm_runs(
         & (results["peak_slide"] < CALM_SLIDE * np.minimum(right - left, across))
         & (used < CALM_USE)
     )
+
+
+def calm_scenes(runs: Runs, pieces: Sequence[Piece]) -> NDArray[np.bool_]:
+    """Return which runs of a scene stayed far from a fall in the same sense, shape (motions, samples)."""
+    assert runs.results is not None
+    calm = ~runs.missing & (runs.used < CALM_USE).all(axis=-1)
+    for piece, results in zip(pieces, np.moveaxis(runs.results, -1, 0), strict=True):
+        base = piece.solid.base_points[:, :2] - piece.solid.centre_of_gravity[:2]
+        nearest = float(np.minimum(-base.min(axis=0), base.max(axis=0)).min())
+        critical = math.atan2(nearest, float(piece.solid.centre_of_gravity[2]))
+        calm &= results["outcome"] != OVERTURNED_OUTCOME
+        calm &= results["peak_tilt"] < CALM_TILT * critical
+        calm &= results["peak_slide"] < CALM_SLIDE * float(np.ptp(base, axis=0).min())
+    return calm
 
 
 def overturning_tilts(cases: NDArray[np.void], dimensions: int = 2) -> NDArray[np.float64]:

@@ -1,10 +1,8 @@
-"""A room: where its furniture comes to lie in an earthquake, who is hit, and what to do about it."""
+"""A plan of what to do about a room: what to move, what to buy, how strong, in which order."""
 
 from __future__ import annotations
 
 from stayput.rooms.planning import action_plan
 from stayput.rooms.steps import ActionPlan
-from stayput.rooms.verdict import RoomVerdict
-from stayput.rooms.verify import verify_room
 
-__all__ = ["ActionPlan", "RoomVerdict", "action_plan", "verify_room"]
+__all__ = ["ActionPlan", "action_plan"]

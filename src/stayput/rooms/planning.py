@@ -14,17 +14,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.errors import instance_of
+from stayput.catalogue import phrase
+from stayput.errors import InputError, instance_of
 from stayput.measures import MEASURES, Measure
 from stayput.measures.edges import WedgeStopper
 from stayput.measures.floor import SOFT
+from stayput.montecarlo.counting import OVERTURNED
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class
 from stayput.progress import tally
-from stayput.rooms.changes import Change, held_part
-from stayput.rooms.decisions import Decisions, decisions_of, elsewhere, moved_as_decided
-from stayput.rooms.effects import OtherTracks, effect_of, falling_pieces, harmful_pieces, moves_of, risk_of
-from stayput.rooms.events import Hits, hits_of
-from stayput.rooms.runs import PartRuns, RoomPart, group_of, with_measures
+from stayput.rooms.decisions import Decisions, decisions_of
 from stayput.rooms.steps import (
     ALIKE,
     SETS,
@@ -42,19 +40,21 @@ from stayput.rooms.steps import (
     merit,
     purchases_of,
 )
-from stayput.rooms.verdict import RoomEffect, RoomVerdict
-from stayput.rooms.verify import floors_of, question_of, states, verdict_of
+from stayput.simulation.groups import groups_at_first
 from stayput.simulation.placing import placed
-from stayput.verification.options import inputs_in_room
+from stayput.verification.changes import Change, with_changes
+from stayput.verification.compare import option_verdict
+from stayput.verification.contest import Contest
+from stayput.verification.options import compared_options, inputs_of_piece
+from stayput.verification.people import harm_step, hits_in
+from stayput.verification.search import falling_pieces, harmful_pieces, held_scene, moves_of
+from stayput.verification.verdict import OptionVerdict, Verdict
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
     from stayput.fragility.probabilities import Probability
-    from stayput.model.floor_plan import FloorPlan, PersonPlace
-    from stayput.rooms.effects import Move, RoomState
-    from stayput.rooms.runs import Question
-    from stayput.rooms.tracks import Track
+    from stayput.scenario.option import Option
     from stayput.simulation.scene import Scene
 
 WEAKER_CLASSES = ("6-upper", "6-lower", "5-upper", "5-lower", "4")
@@ -62,7 +62,7 @@ WEAKER_CLASSES = ("6-upper", "6-lower", "5-upper", "5-lower", "4")
 
 
 def action_plan(
-    verdict: RoomVerdict,
+    verdict: Verdict,
     *,
     decided: Sequence[Change] = (),
     no_drilling: bool = False,
@@ -77,11 +77,11 @@ def action_plan(
 
     Parameters
     ----------
-    verdict : RoomVerdict
+    verdict : Verdict
         The room. Its earthquakes and draws are used again; its single changes are not needed.
     decided : sequence of Change
-        Changes that are made in any case, such as ``[verdict.best.change]``: they are steps of the plan,
-        whatever they bring, and nothing else is moved or put on the same piece.
+        Changes that are made in any case, such as ``verdict.changes(verdict.helping)``: they are steps of the
+        plan, whatever they bring, and nothing else is moved or put on the same piece.
     no_drilling : bool
         Whether nothing else may be screwed to a wall.
     tatami, plasterboard, dropped_ceiling : bool
@@ -110,13 +110,15 @@ def action_plan(
     ...     "shaking": {"intensity": "6-lower", "suite": {"family": "near-fault", "count": 3}},
     ...     "uncertainty": {"samples": 3},
     ... })
-    >>> verdict = sp.verify_room(scenario, changes=False, progress=False)
+    >>> verdict = sp.verify(scenario, changes=False, progress=False)
     >>> plan = sp.action_plan(verdict, progress=False)
     >>> [(step.what, step.fix.kinds) for step in plan.steps]
     [('shelf', ('l_bracket',))]
     """
     began = time.perf_counter()
-    asked = instance_of("verdict", verdict, RoomVerdict)
+    asked = instance_of("verdict", verdict, Verdict)
+    if asked.scenario.plan is None:
+        raise InputError("scenario.missing", "plan", allowed=phrase("rooms.no_plan"))
     home = Home(no_drilling, tatami, plasterboard, dropped_ceiling)
     with tally(None, "progress.planning", progress) as made:
 
@@ -125,12 +127,20 @@ def action_plan(
             if on_progress is not None:
                 on_progress(runs)
 
-        question = question_of(home.of(asked.scenario), threads)._replace(advance=count)
-        (*_, state) = states(question)
-        planner = _Planner(question, state, home, decisions_of(question, decided))
+        scenario = home.of(asked.scenario)
+        compared_options(scenario)  # refuses what cannot be put in place
+        contest = Contest(scenario, asked.slide_limit, threads, advance=count)
+        planner = _Planner(contest, home, decisions_of(scenario, decided))
         steps, unsolved = planner.steps()
-    as_it_is = verdict_of(question, state, asked.slide_limit)
-    now = replace(as_it_is, complete=True, runs=made.done, seconds=time.perf_counter() - began)
+    now = replace(
+        asked,
+        scenario=scenario,
+        options=(replace(planner.as_it_is, rank=1),),
+        samples=contest.settings.samples,
+        runs=made.done,
+        seconds=time.perf_counter() - began,
+        complete=True,
+    )
     return ActionPlan(now, home, steps, unsolved, planner.drilled)
 
 
@@ -139,36 +149,38 @@ class _Planner:
 
     Parameters
     ----------
-    question : Question
-        The room, its motions and draws.
-    state : RoomState
-        The room as it is.
+    contest : Contest
+        The room's motions and draws.
     home : Home
         What the home is like.
     decisions : Decisions
         What is done in any case.
     """
 
-    def __init__(self, question: Question, state: RoomState, home: Home, decisions: Decisions) -> None:
-        self.question, self.state, self.home, self.decisions = question, state, home, decisions
-        hits = state.as_it_is.events.hits
-        struck = {body for row in hits for body, hit in enumerate(row) if hit.happened.any()}
-        self.harmful = struck | harmful_pieces(state)
-        self.falling = falling_pieces(state.as_it_is)
+    def __init__(self, contest: Contest, home: Home, decisions: Decisions) -> None:
+        self.contest, self.home, self.decisions = contest, home, decisions
+        self.scenario, self.base = contest.scenario, contest.scenario.stated
+        (self.runs,) = contest.run([self.base], contest.settings.samples, keep=True)
+        self.as_it_is, self.scene = (
+            option_verdict(contest, self.base, self.runs, None),
+            contest.scene(self.base),
+        )
+        struck = np.flatnonzero(hits_in(self.runs).any(axis=(0, 1, 2))).tolist()
+        self.harmful = {*struck} | harmful_pieces(contest, self.scene, self.runs)
+        self.falling = falling_pieces(self.runs)
         self.drilled: dict[str, Fix] = {}
-        self._groups: dict[frozenset[str], OtherTracks] = {}
-        self._known: dict[tuple[int, PersonPlace], tuple[Sequence[Track], Hits]] = {}
+        self._known: dict[str, OptionVerdict] = {}
+        self._weaker: dict[float, Contest] = {}
 
     def steps(self) -> tuple[tuple[PlanStep, ...], tuple[str, ...]]:
         """Return the steps in their order, and the pieces on which nothing helps."""
-        names = self.question.scenario.names
+        names = self.scenario.names
         moves = self._moves()
-        chosen = [self._moving(move, effect) for move, effect in moves]
-        moved = {move.change.what for move, _ in moves}
-        whole = self._after([move for move, _ in moves])
+        chosen = [ChosenStep(self._moving(move), (move,)) for move in moves]
+        moved = {move.what for move in moves}
         unsolved: list[str] = []
         for body in sorted(self.harmful | self.falling | set(self.decisions.measures)):
-            fixing = self._fixing(body, whole)
+            fixing = self._fixing(body, moves)
             if fixing is not None:
                 chosen.append(fixing)
             elif names[body] not in moved or body in self.falling:
@@ -207,222 +219,161 @@ class _Planner:
             done.append(chosen.pop(keys.index(min(keys))))
         return done
 
-    def _together(self, done: list[ChosenStep]) -> RoomEffect:
+    def _together(self, done: Iterable[ChosenStep]) -> OptionVerdict:
         """Return what some of the steps bring together."""
-        moves = [choice for choice in done if choice.step.move is not None]
-        relocated = {choice.step.what for choice in moves}
-        way = OtherTracks({}, self.state.as_it_is.missing)
-        for choice in moves:
-            way = way.joined(choice.here)
-        fixes: dict[tuple[int, ...], list[ChosenStep]] = {}
-        for choice in done:
-            if choice.step.fix is not None:
-                fixes.setdefault(choice.step.fix.part.bodies, []).append(choice)
-        for group, choices in fixes.items():
-            if len(choices) > 1:
-                way = way.joined(self._held_together(group, choices))
-            else:
-                (choice,) = choices
-                way = way.joined(choice.there if choice.step.what in relocated else choice.here)
-        places = dict(choice.place for choice in moves if choice.place)
-        return self._effect(self.question.plan.with_places(places), way)
+        return self._effect([change for choice in done for change in choice.changes])
 
-    def _held_together(self, group: tuple[int, ...], fixes: Sequence[ChosenStep]) -> OtherTracks:
-        """Return how pieces that stand on or are joined to each other move, of which several are held."""
-        key = frozenset(choice.step.what for choice in fixes)
-        if key not in self._groups:
-            whole = self.question.whole
-            for choice in fixes:
-                assert choice.step.fix is not None
-                body = group[choice.step.fix.place]
-                bought = [purchase.measure for purchase in choice.step.fix.purchases]
-                whole = with_measures(whole, body, bought)
-            part = RoomPart.of(whole, group)
-            runs = self.question.run([part])[0]
-            self._groups[key] = OtherTracks.of(part, runs)
-        return self._groups[key]
+    def _with(self, changes: Iterable[Change]) -> Option:
+        return with_changes(self.base, changes, self.scenario.names)
 
-    def _hits(self, place: PersonPlace, tracks: Sequence[Track]) -> Hits:
-        """Return the contacts of a piece with a place, which are looked for once."""
-        key = id(tracks), place
+    def _effect(self, changes: Sequence[Change]) -> OptionVerdict:
+        """Return what changes bring; the same ones run once."""
+        key = repr(sorted(map(repr, changes)))
         if key not in self._known:
-            self._known[key] = tracks, hits_of(place, tracks)  # its tracks stay, so that the id is theirs
-        return self._known[key][1]
+            option = self._with(changes)
+            (runs,) = self.contest.run([option], self.contest.settings.samples)
+            self._known[key] = option_verdict(self.contest, option, runs, self.runs)
+        return self._known[key]
 
-    def _effect(self, plan: FloorPlan, way: OtherTracks) -> RoomEffect:
-        return effect_of(plan, way, self.state, self._hits)
+    def _moves(self) -> tuple[Change, ...]:
+        """Return what it has been decided to move, else the move that clearly helps and helps most."""
+        if self.decisions.moves:
+            return self.decisions.moves
+        may_move = self.harmful - set(self.decisions.measures)
+        moves = [*moves_of(self.contest, self.scene, self.runs, may_move)]
+        helping = [move for move in moves if self._effect([move]).helps]
+        return (min(helping, key=lambda move: in_order_of_gain(self._effect([move]))),) if helping else ()
 
-    def _moves(self) -> list[tuple[Move, RoomEffect]]:
-        """Return what it has been decided to move, else the move that clearly helps and helps most, if any.
-
-        With each what it brings.
-        """
-        question, state = self.question, self.state
-        decided = [moved_as_decided(question, state.as_it_is, change) for change in self.decisions.moves]
-        moves = decided or moves_of(question, state, self.harmful - set(self.decisions.measures))
-        tried = [(move, self._effect(move.plan, move.way)) for move in moves]
-        if decided:
-            return tried
-        helping = [pair for pair in tried if pair[1].helps]
-        return [min(helping, key=lambda pair: in_order_of_gain(pair[1]))] if helping else []
-
-    def _moving(self, move: Move, effect: RoomEffect) -> ChosenStep:
-        scenario, what = self.question.scenario, move.change.what
-        bodies = list(move.way.tracks) or sorted(self.harmful)
-        deciding = {quantity: None for body in bodies for quantity in inputs_in_room((), scenario, body)}
-        overturned = self._overturned(bodies[0]) if move.way.tracks else None
-        decided = move.change in self.decisions.moves
-        step = PlanStep(
-            what, move.change, None, effect, effect, overturned, None, tuple(deciding), decided=decided
+    def _moving(self, move: Change) -> PlanStep:
+        scenario, effect = self.scenario, self._effect([move])
+        body = scenario.names.index(move.what) if move.what in scenario.names else None
+        bodies = sorted(self.harmful) if body is None else [body]
+        deciding = {quantity: None for number in bodies for quantity in inputs_of_piece((), scenario, number)}
+        overturned = None if body is None else self._overturned(body)
+        decided = move in self.decisions.moves
+        return PlanStep(
+            move.what, move, None, effect, effect, overturned, None, tuple(deciding), decided=decided
         )
-        was = self.question.plan.places
-        places = ((n, place) for n, place in enumerate(move.plan.places) if place != was[n])
-        return ChosenStep(step, next(places, None), move.way, move.way)
-
-    def _after(self, moves: Sequence[Move]) -> Scene:
-        """Return the pieces with some moved."""
-        whole = self.question.whole
-        for move in moves:
-            for body in move.way.tracks:
-                whole = whole.with_piece(body, elsewhere(whole.pieces[body], move.change))
-        return whole
 
     def _overturned(self, body: int) -> Probability:
-        return self.state.as_it_is.outcomes[body].probability_of_overturning()
+        return self.as_it_is.pieces[body].probabilities[OVERTURNED]
 
-    def _fixing(self, body: int, whole: Scene) -> ChosenStep | None:
-        """Return the best measures on a piece, which stands in ``whole`` as it is to stand."""
+    def _fixing(self, body: int, moves: tuple[Change, ...]) -> ChosenStep | None:
+        """Return the best measures on a piece, which stands where it is to stand after some moves."""
         decided = self.decisions.measures.get(body)
         if decided is None:
-            tried = self._helpful(body, whole, [kinds for kinds in SETS if self.home.allows(kinds)])
+            tried = self._helpful(body, moves, [kinds for kinds in SETS if self.home.allows(kinds)])
         else:
-            tried = [self._tried_as_decided(body, whole, decided)]
+            tried = [self._trial(body, decided)]
         if not tried:
-            self._with_drilling(body, whole)
+            self._with_drilling(body, moves)
             return None
         best = min(tried, key=merit)
-        fix, here, there = self._fitted(best, body, whole)
+        fix = self._fitted(best, body, moves)
         if not fix.enough:
-            self._with_drilling(body, whole)
+            self._with_drilling(body, moves)
         undrilled = [trial for trial in tried if not any(measure.drilled for measure in trial.measures)]
         instead = None
         if fix.drilled and undrilled:
-            instead = self._fitted(min(undrilled, key=merit), body, whole)[0]
-        scenario, was = self.question.scenario, self._overturned(body)
-        deciding = inputs_in_room(tuple(purchase.measure for purchase in fix.purchases), scenario, body)
-        what, alone, as_decided = scenario.names[body], fix.alone, decided is not None
+            instead = self._fitted(min(undrilled, key=merit), body, moves)
+        measures, was = tuple(purchase.measure for purchase in fix.purchases), self._overturned(body)
+        deciding = inputs_of_piece(measures, self.scenario, body)
+        what, alone, as_decided = self.scenario.names[body], fix.alone, decided is not None
         step = PlanStep(what, None, fix, alone, alone, was, instead, deciding, decided=as_decided)
-        return ChosenStep(step, None, here, there)
+        return ChosenStep(step, self._on(body, measures))
 
-    def _with_drilling(self, body: int, whole: Scene) -> None:
+    def _with_drilling(self, body: int, moves: tuple[Change, ...]) -> None:
         """Keep the best measures on a piece of those that only the ban on drilling rules out, if any."""
-        tried = self._helpful(body, whole, [kinds for kinds in SETS if not self.home.allows(kinds)])
+        tried = self._helpful(body, moves, [kinds for kinds in SETS if not self.home.allows(kinds)])
         if tried:
-            name = self.question.scenario.names[body]
-            self.drilled[name] = self._fitted(min(tried, key=merit), body, whole)[0]
+            name = self.scenario.names[body]
+            self.drilled[name] = self._fitted(min(tried, key=merit), body, moves)
 
-    def _helpful(self, body: int, whole: Scene, sets: Sequence[tuple[str, ...]]) -> list[Trial]:
-        """Run sets of measures on a piece, and return those that help and can be put on it in ``whole``."""
-        as_it_is, group = self.state.as_it_is, group_of(self.question.scenario, body)
-        here = OtherTracks({number: as_it_is.tracks[number] for number in group}, as_it_is.missing)
-        bare = self._own_risk(here)
-        return [
-            trial
-            for trial in self._tried(body, sets)
-            if (trial.piece_risk < bare or frees(trial.effect) or self._steadies(trial, body))
-            and self._held(body, trial.measures, whole) is not None
-        ]
+    def _helpful(self, body: int, moves: tuple[Change, ...], sets: Sequence[tuple[str, ...]]) -> list[Trial]:
+        """Run sets of measures on a piece; return those that help and can be put on it where it will be."""
+        bare, tried = harm_step(self._harm(self.as_it_is, body)), list[Trial]()
+        soft = self.scenario.room.room().floor.surface in SOFT
+        for kinds in sets:
+            measures = tuple(MEASURES[kind]() for kind in kinds)
+            if soft and any(isinstance(measure, WedgeStopper) for measure in measures):  # it sinks in
+                continue
+            if self._held(body, measures, ()) is None or self._held(body, measures, moves) is None:
+                continue
+            trial = self._trial(body, measures)
+            if harm_step(trial.harm) < bare or frees(trial.effect) or self._steadies(trial, body):
+                tried.append(trial)
+        return tried
 
-    def _tried_as_decided(self, body: int, whole: Scene, measures: tuple[Measure, ...]) -> Trial:
-        """Run the measures that have been decided on, where the piece stands or, if it must, is to stand."""
-        part = self._held(body, measures, self.question.whole) or self._with(body, measures, whole)
-        return self._as_tried(measures, part, self.question.run([part])[0], body)
+    def _harm(self, effect: OptionVerdict, body: int) -> float:
+        """Return the harm of a piece and of what stands on it or bears it [J]."""
+        group = next(group for group in groups_at_first(self.scene) if body in group)
+        return sum(effect.pieces[number].harm for number in group)
 
     def _steadies(self, tried: Trial, body: int) -> bool:
         """Return whether a piece that overturns often does so less with measures, clearly or not."""
         less = self._overturned(body).estimate - tried.overturns.estimate
         return body in self.falling and less > ALIKE
 
-    def _tried(self, body: int, sets: Sequence[tuple[str, ...]]) -> list[Trial]:
-        """Run sets of measures, those that can be put on a piece where it stands."""
-        parts: list[tuple[tuple[Measure, ...], RoomPart]] = []
-        soft = self.question.scenario.room.room().floor.surface in SOFT
-        for kinds in sets:
-            measures = tuple(MEASURES[kind]() for kind in kinds)
-            if soft and any(isinstance(measure, WedgeStopper) for measure in measures):  # it sinks in
-                continue
-            part = self._held(body, measures, self.question.whole)
-            if part is not None:
-                parts.append((measures, part))
-        runs = self.question.run([part for _, part in parts])
-        return [
-            self._as_tried(measures, part, part_runs, body)
-            for (measures, part), part_runs in zip(parts, runs, strict=True)
-        ]
+    def _on(self, body: int, measures: tuple[Measure, ...]) -> tuple[Change, ...]:
+        return tuple(Change(self.scenario.names[body], measure) for measure in measures)
 
-    def _as_tried(self, measures: tuple[Measure, ...], part: RoomPart, runs: PartRuns, body: int) -> Trial:
-        way = OtherTracks.of(part, runs)
-        effect, piece_risk = self._effect(self.question.plan, way), self._own_risk(way)
-        overturns = runs.of_body(part.bodies.index(body)).probability_of_overturning()
-        return Trial(measures, way, effect, piece_risk, overturns)
+    def _trial(self, body: int, measures: tuple[Measure, ...]) -> Trial:
+        """Run measures on a piece where it stands."""
+        effect = self._effect(self._on(body, measures))
+        overturns = effect.pieces[body].probabilities[OVERTURNED]
+        return Trial(measures, effect, self._harm(effect, body), overturns)
 
-    def _own_risk(self, way: OtherTracks) -> float:
-        """Return the chance that a person is hit by some pieces, whatever others do."""
-        places, missing = self.question.plan.places, self.state.as_it_is.missing | way.missing
-        hits = [[self._hits(place, tracks).happened for tracks in way.tracks.values()] for place in places]
-        return risk_of(np.any(hits, axis=1), places, missing) if places else 0.0
+    def _held(self, body: int, measures: tuple[Measure, ...], moves: tuple[Change, ...]) -> Scene | None:
+        """Return the room with measures on a piece, or None where they cannot be put there."""
+        return held_scene(self.contest, self._with([*moves, *self._on(body, measures)]), body)
 
-    def _held(self, body: int, measures: tuple[Measure, ...], whole: Scene) -> RoomPart | None:
-        """Return the part of a piece with measures on it, or None where they cannot be put there."""
-        return held_part(self.question.scenario, whole, body, measures)
-
-    def _with(self, body: int, measures: tuple[Measure, ...], whole: Scene) -> RoomPart:
-        """Return the part of a piece with measures on it, which have not been put in place."""
-        scenario = self.question.scenario
-        return RoomPart.of(with_measures(whole, body, measures), group_of(scenario, body))
-
-    def _fitted(self, tried: Trial, body: int, whole: Scene) -> tuple[Fix, OtherTracks, OtherTracks]:
-        """Return measures as they are bought, and how the piece moves where it stands and where it will.
+    def _fitted(self, tried: Trial, body: int, moves: tuple[Change, ...]) -> Fix:
+        """Return measures as they are bought, where the piece will stand.
 
         Where the studs allow it there are as many devices as what they are screwed to asks for.
         """
-        measures, part = tried.measures, self._with(body, tried.measures, whole)
-        purchases = purchases_of(self.question, part, measures, body)
-        piece = whole.pieces[body]
-        fitted = tuple(in_number(purchase, piece.body.length or 0.0) for purchase in purchases)
-        more, here = self._held(body, fitted, whole), self._held(body, fitted, self.question.whole)
-        if fitted != measures and more is not None and here is not None:
-            measures, part = fitted, more
-            purchases = purchases_of(self.question, part, measures, body)
-            tried = self._as_tried(measures, here, self.question.run([here])[0], body)
-        place = part.bodies.index(body)
-        there, overturns = tried.way, tried.overturns
-        if whole is not self.question.whole:
-            runs = self.question.run([part])[0]
-            there = OtherTracks.of(part, runs)
-            overturns = runs.of_body(place).probability_of_overturning()
-        held = placed(part.scene)[place].held
+        measures, moved = (
+            tried.measures,
+            tuple(move for move in moves if move.what == self.scenario.names[body]),
+        )
+        option = self._with([*moved, *self._on(body, measures)])
+        purchases = purchases_of(self.contest, option, measures, body)
+        length = self.scene.pieces[body].body.length or 0.0
+        fitted = tuple(in_number(purchase, length) for purchase in purchases)
+        if fitted != measures and all(self._held(body, fitted, way) is not None for way in ((), moves)):
+            measures, tried = fitted, self._trial(body, fitted)
+            option = self._with([*moved, *self._on(body, measures)])
+            purchases = purchases_of(self.contest, option, measures, body)
+        overturns, scene = tried.overturns, self.contest.scene(option)
+        if moved:
+            effect = self._effect([*moved, *self._on(body, measures)])
+            overturns = effect.pieces[body].probabilities[OVERTURNED]
+        held = placed(scene)[body].held
         assert held is not None
         cautions = tuple(
             caution for measure in measures for caution in measure.cautions(held.body, held.room)
         )
-        enough_to = self._enough_to(part, purchases, body)
-        fix = Fix(part, place, purchases, tried.effect, overturns, cautions, enough_to)
-        return fix, tried.way, there
+        enough_to = self._enough_to(option, purchases, body)
+        return Fix(scene, body, purchases, tried.effect, overturns, cautions, enough_to)
 
-    def _enough_to(self, part: RoomPart, purchases: tuple[Purchase, ...], body: int) -> float | None:
+    def _enough_to(self, option: Option, purchases: tuple[Purchase, ...], body: int) -> float | None:
         """Return the JMA intensity, a class's middle, for which what is too weak here is strong enough.
 
         The classes are the ground's: under motions of upper floors there is none.
         """
-        if self.question.floors.floor or all(purchase.enough for purchase in purchases):
+        contest = self.contest
+        if contest.floors.floor or all(purchase.enough for purchase in purchases):
             return None
         measures = tuple(purchase.measure for purchase in purchases)
-        now, threads = self.question.floors.median_intensity, self.question.threads
+        now, limit = contest.floors.median_intensity, contest.settings.slide_limit
         for level in (intensity_of_class(name) for name in WEAKER_CLASSES):
             if level < now:
-                floors = floors_of(self.question.scenario, threads, factor_to_intensity(now, level))
-                weaker = self.question._replace(floors=floors)
-                if all(purchase.enough for purchase in purchases_of(weaker, part, measures, body)):
+                if level not in self._weaker:
+                    times = factor_to_intensity(now, level)
+                    self._weaker[level] = Contest(
+                        self.scenario, limit, contest.threads, times=times, advance=contest.advance
+                    )
+                weaker = self._weaker[level]
+                if all(purchase.enough for purchase in purchases_of(weaker, option, measures, body)):
                     return level
         return None

@@ -9,10 +9,11 @@ from stayput.catalogue import Phrase, phrase
 from stayput.measures import Belt, Element, GelMats, Held, TensionPole, WedgeStopper
 from stayput.measures.fixing import SCREW_IN_STUD
 from stayput.measures.wall import WallDevice
+from stayput.montecarlo.counting import OVERTURNED
 from stayput.rooms.steps import STUD_PITCH, ActionPlan, Fix, PlanStep
-from stayput.rooms.verdict import FALLS, RoomEffect
-from stayput.rooms.words import interval_text, label_of, piece_name
 from stayput.simulation.placing import placed
+from stayput.verification.room_words import interval_text, label_of, people_in, piece_name
+from stayput.verification.verdict import FALLS, OptionVerdict
 from stayput.verification.words import class_phrase, share_text
 from stayput.wording import inside, joined
 
@@ -158,29 +159,34 @@ def _bears(purchase: Purchase) -> Phrase:
     )
 
 
-def chances_after(effect: RoomEffect) -> dict[str, tuple[Probability, float]]:
+def chances_after(effect: OptionVerdict) -> dict[str, tuple[Probability, float]]:
     """Return what may happen with something, by the key of its words, and how likely it is as the room is."""
+    people = effect.people
+    assert people is not None
+    outlooks = {name: getattr(people, name) for name in ("hit", "shut_in", "blocked")}
     return {
-        "hit": (effect.hit, effect.hit.estimate - effect.hit_change.estimate),
-        "shut_in": (effect.shut_in, effect.shut_in.estimate - effect.shut_in_change.estimate),
-        "blocked": (effect.blocked, effect.blocked.estimate - effect.blocked_change.estimate),
+        name: (chance, chance.estimate - (0.0 if change is None else change.estimate))
+        for name, (chance, change) in outlooks.items()
     }
 
 
-def worth_telling(effect: RoomEffect, plan: ActionPlan) -> dict[str, tuple[Probability, float]]:
+def worth_telling(effect: OptionVerdict, plan: ActionPlan) -> dict[str, tuple[Probability, float]]:
     """Return those of them that happen; none in a room without places."""
     return {
         key: (chance, was)
         for key, (chance, was) in chances_after(effect).items()
-        if (key == "hit" and plan.verdict.places) or was != 0.0 or chance.estimate != 0.0
+        if (key == "hit" and people_in(plan.verdict).places) or was != 0.0 or chance.estimate != 0.0
     }
 
 
 def falls(plan: ActionPlan) -> Phrase | None:
     """Return which pieces overturn often, before the steps and after all of them; None where none does."""
-    before = {piece.name: piece.probabilities["overturned"].estimate for piece in plan.verdict.pieces}
-    names = plan.verdict.scenario.names
-    after = {} if plan.together is None else dict(zip(names, plan.together.overturned, strict=True))
+    now, then = plan.verdict.without.pieces, () if plan.together is None else plan.together.pieces
+    before = {piece.name: piece.probabilities[OVERTURNED].estimate for piece in now}
+    names, after = (
+        plan.verdict.scenario.names,
+        {piece.name: piece.probabilities[OVERTURNED] for piece in then},
+    )
 
     def sentence(name: str) -> Phrase:
         was = share_text(before[name])
@@ -194,16 +200,16 @@ def falls(plan: ActionPlan) -> Phrase | None:
     return joined(map(sentence, often)) if often else None
 
 
-def effects(effect: RoomEffect, plan: ActionPlan, before: RoomEffect | None = None) -> Phrase:
+def effects(effect: OptionVerdict, plan: ActionPlan, before: OptionVerdict | None = None) -> Phrase:
     """Return what changes of who is hit, who is shut in, and which door is blocked.
 
     Parameters
     ----------
-    effect : RoomEffect
+    effect : OptionVerdict
         What something brings.
     plan : ActionPlan
         The plan.
-    before : RoomEffect, optional
+    before : OptionVerdict, optional
         From what it changes; from the room as it is where it is left out.
     """
     first = {} if before is None else chances_after(before)
@@ -218,7 +224,7 @@ def effects(effect: RoomEffect, plan: ActionPlan, before: RoomEffect | None = No
     )
 
 
-def changes_nothing(effect: RoomEffect, before: RoomEffect | None = None) -> bool:
+def changes_nothing(effect: OptionVerdict, before: OptionVerdict | None = None) -> bool:
     """Return whether no share that is shown is another one than before, or than in the room as it is."""
     first = None if before is None else chances_after(before)
     return all(
@@ -281,7 +287,7 @@ def heading(step: PlanStep, plan: ActionPlan) -> Phrase:
 
 def held_by(fix: Fix) -> Held:
     """Return a piece with its measures in place, each device by itself."""
-    held = placed(fix.part.scene)[fix.place].held
+    held = placed(fix.scene)[fix.body].held
     assert held is not None
     return held
 

@@ -14,27 +14,31 @@ import numpy as np
 
 from stayput.measures import MEASURES, GelMats, Measure, TensionPole
 from stayput.measures.wall import WallDevice
-from stayput.rooms.runs import DeviceForces, PeakForces, RoomPart
+from stayput.montecarlo.counting import OVERTURNED
 from stayput.simulation.placing import placed
 from stayput.uncertainty import USUAL
 from stayput.verification.options import COMBINED
+from stayput.verification.people import harm_step
 from stayput.vocabulary import TATAMI
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
     from pathlib import Path
 
+    from numpy.typing import NDArray
+
     from stayput.catalogue import Phrase
     from stayput.fragility.probabilities import Probability
+    from stayput.measures import Element
     from stayput.measures.measure import Grade
-    from stayput.model.floor_plan import PersonPlace
-    from stayput.rooms.changes import Change
-    from stayput.rooms.effects import OtherTracks
-    from stayput.rooms.runs import Question
-    from stayput.rooms.verdict import RoomEffect, RoomVerdict
     from stayput.scenario import Scenario
+    from stayput.scenario.option import Option
     from stayput.simulation.piece import Piece
+    from stayput.simulation.scene import Scene
+    from stayput.verification.changes import Change
+    from stayput.verification.contest import Contest
     from stayput.verification.options import Input
+    from stayput.verification.verdict import OptionVerdict, Verdict
 
 SETS = (("l_bracket",), ("belt",), ("tension_pole",), ("gel_mats",), COMBINED, ("gel_mats", "tension_pole"))
 """What is tried on a piece: one measure, or two together."""
@@ -63,11 +67,35 @@ UNBREAKABLE = 1e6
 """Strength of a device that cannot fail [N]: the most that one may be given."""
 
 
-def quantile_of(peaks: Sequence[PeakForces], key: tuple[int, str]) -> DeviceForces:
-    """Return what the forces on a device do not exceed in `QUANTILE` of the runs, each by itself."""
-    values = np.sort(np.array([run[key] for run in peaks]), axis=0)
-    forces = values[min(len(values) - 1, math.ceil(QUANTILE * len(values)) - 1)]
-    return DeviceForces(*forces.tolist())
+class DeviceForces(NamedTuple):
+    """Forces on one device [N]: away from what it is fixed to, towards it, and across."""
+
+    pull: float
+    push: float
+    shear: float
+
+    def times(self, factor: float) -> DeviceForces:
+        """Return them multiplied."""
+        return DeviceForces(*(factor * force for force in self))
+
+
+def quantile_of(devices: NDArray[np.void], elements: Sequence[Element]) -> DeviceForces:
+    """Return what the forces on one device of a kind do not exceed in `QUANTILE` of the runs, each by itself.
+
+    Parameters
+    ----------
+    devices : ndarray of DEVICE, shape (motions, samples, elements)
+        What became of them.
+    elements : sequence of Element
+        The devices, each for a number of like ones.
+    """
+    counts = np.array([element.count for element in elements])
+
+    def quantile(name: str) -> float:
+        peaks = np.sort((devices[name] / counts).max(axis=-1).ravel())
+        return float(peaks[min(len(peaks) - 1, math.ceil(QUANTILE * len(peaks)) - 1)])
+
+    return DeviceForces(*map(quantile, ("peak_pull", "peak_push", "peak_shear")))
 
 
 def unbreakable(measure: Measure) -> Measure:
@@ -124,31 +152,45 @@ def more_than(needed: DeviceForces, holds: DeviceForces) -> float:
 
 
 def purchases_of(
-    question: Question, part: RoomPart, measures: tuple[Measure, ...], body: int
+    contest: Contest, option: Option, measures: tuple[Measure, ...], body: int
 ) -> tuple[Purchase, ...]:
-    """Return what to buy: how strong one must be, and how strong what it is fixed to is."""
-    place = part.bodies.index(body)
-    piece = part.scene.pieces[place]
-    held = placed(part.scene)[place].held
+    """Return what to buy for a piece: how strong one must be, and how strong what it is fixed to is.
+
+    Parameters
+    ----------
+    contest : Contest
+        The motions and draws.
+    option : Option
+        The room with these measures.
+    measures : tuple of Measure
+        What is put on the piece, beside what is on it already.
+    body : int
+        The piece.
+    """
+    scene = contest.scene(option)
+    held, kinds = placed(scene)[body].held, {measure.kind for measure in measures}
     assert held is not None
-    kinds = {measure.kind for measure in measures}
     strong = tuple(
-        unbreakable(measure.fitted_to(piece.body)) if measure.kind in kinds else measure
-        for measure in piece.measures
+        unbreakable(measure.fitted_to(scene.pieces[body].body)) if measure.kind in kinds else measure
+        for measure in option.on[body]
     )
-    member = replace(piece, measures=strong)
-    runs = question.run([part._replace(scene=part.scene.with_piece(place, member))])[0]
+    on = (*option.on[:body], strong, *option.on[body + 1 :])
+    devices = contest.devices_of(replace(option, on=on), body)
     purchases: list[Purchase] = []
     for measure in measures:
-        weakest = next((element for element in held.elements if element.kind == measure.kind), None)
-        if weakest is None:  # it bears no force
+        like = [n for n, element in enumerate(held.elements) if element.kind == measure.kind]
+        if not like:  # it bears no force
             purchases.append(Purchase(measure))
             continue
-        normal, tangent = weakest.normal.shared(weakest.count), weakest.tangent.shared(weakest.count)
+        elements = [held.elements[n] for n in like]
+        normal, tangent = (
+            elements[0].normal.shared(elements[0].count),
+            elements[0].tangent.shared(elements[0].count),
+        )
         across = min(tangent.limit_plus, tangent.limit_minus) if tangent.stiffness > 0.0 else math.inf
         holds = DeviceForces(normal.limit_plus, normal.limit_minus, across)
-        needed = quantile_of(runs.peaks, (place, measure.kind)).times(MARGIN)
-        purchases.append(Purchase(measure, needed, holds, weakest.normal.weakest))
+        needed = quantile_of(devices[..., like], elements).times(MARGIN)
+        purchases.append(Purchase(measure, needed, holds, elements[0].normal.weakest))
     return tuple(purchases)
 
 
@@ -208,13 +250,13 @@ class Fix:
 
     Parameters
     ----------
-    part : RoomPart
-        The pieces that run together, as they are then held where they are to stand.
-    place : int
-        The piece's place among them.
+    scene : Scene
+        The room, with the piece held where it is to stand.
+    body : int
+        The piece.
     purchases : tuple of Purchase
         What to buy.
-    alone : RoomEffect
+    alone : OptionVerdict
         What they bring by themselves, with everything where it is.
     overturns : Probability
         That the piece overturns with them where it is to stand.
@@ -225,10 +267,10 @@ class Fix:
         shaking of the plan; None if they are, or if they are too weak for a class 4 too.
     """
 
-    part: RoomPart
-    place: int
+    scene: Scene
+    body: int
     purchases: tuple[Purchase, ...]
-    alone: RoomEffect
+    alone: OptionVerdict
     overturns: Probability
     cautions: tuple[Phrase, ...]
     enough_to: float | None = None
@@ -236,7 +278,7 @@ class Fix:
     @property
     def piece(self) -> Piece:
         """The piece, as it is then held."""
-        return self.part.scene.pieces[self.place]
+        return self.scene.pieces[self.body]
 
     @property
     def enough(self) -> bool:
@@ -271,9 +313,9 @@ class PlanStep:
         Where it goes, if it is moved.
     fix : Fix or None
         What is put on it, if it is not.
-    alone : RoomEffect
+    alone : OptionVerdict
         What it brings by itself.
-    together : RoomEffect
+    together : OptionVerdict
         What it brings with all steps before it.
     overturned : Probability or None
         That the piece overturns as the room is; None of the place of a person.
@@ -291,8 +333,8 @@ class PlanStep:
     what: str
     move: Change | None
     fix: Fix | None
-    alone: RoomEffect
-    together: RoomEffect
+    alone: OptionVerdict
+    together: OptionVerdict
     overturned: Probability | None
     instead: Fix | None
     inputs: tuple[Input, ...]
@@ -321,7 +363,7 @@ class ActionPlan:
 
     Parameters
     ----------
-    verdict : RoomVerdict
+    verdict : Verdict
         The room as it is in this home; single changes are not in it.
     home : Home
         What the home is like.
@@ -343,13 +385,14 @@ class ActionPlan:
     ...     "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 4}},
     ...     "uncertainty": {"samples": 4},
     ... })
-    >>> verdict = sp.verify_room(scenario, changes=False, progress=False)
+    >>> verdict = sp.verify(scenario, changes=False, progress=False)
     >>> plan = sp.action_plan(verdict, progress=False)
-    >>> verdict.hit.fell, plan.together.hit.fell  # of 4 earthquakes: as it is, and after all steps
+    >>> now, then = verdict.without.people.hit, plan.together.people.hit
+    >>> now.chance.fell, then.chance.fell  # of 4 earthquakes: as it is, and after all steps
     (2, 0)
     """
 
-    verdict: RoomVerdict
+    verdict: Verdict
     home: Home
     steps: tuple[PlanStep, ...]
     unsolved: tuple[str, ...]
@@ -359,7 +402,7 @@ class ActionPlan:
         return f"ActionPlan({len(self.steps)} steps, {len(self.unsolved)} pieces unsolved; {self.verdict!r})"
 
     @property
-    def together(self) -> RoomEffect | None:
+    def together(self) -> OptionVerdict | None:
         """What all steps bring together; None where there is none."""
         return self.steps[-1].together if self.steps else None
 
@@ -388,49 +431,41 @@ ALIKE = 0.005
 
 
 class Trial(NamedTuple):
-    """Measures on a piece that have run where it stands; ``piece_risk``: from its part of the room alone."""
+    """Measures on a piece that have run where it stands; ``harm``: of its part of the room alone [J]."""
 
     measures: tuple[Measure, ...]
-    way: OtherTracks
-    effect: RoomEffect
-    piece_risk: float
+    effect: OptionVerdict
+    harm: float
     overturns: Probability
 
 
 class ChosenStep(NamedTuple):
-    """A step before its place in the order is known.
-
-    ``here`` is how the piece moves then where it stands; ``there``, once it has been moved. ``place`` is the
-    place of a person where it is moved to, with its number.
-    """
+    """A step before its place in the order is known, and what it changes."""
 
     step: PlanStep
-    place: tuple[int, PersonPlace] | None
-    here: OtherTracks
-    there: OtherTracks
+    changes: tuple[Change, ...]
 
 
-def in_order_of_gain(effect: RoomEffect) -> tuple[float, ...]:
+def in_order_of_gain(effect: OptionVerdict) -> tuple[float, ...]:
     """Return the sort key of what something brings, the best first: for people, and then what overturns."""
-    return (*for_people(effect), round(effect.fallen / ALIKE))
+    fallen = sum(piece.probabilities[OVERTURNED].estimate for piece in effect.pieces)
+    return (*for_people(effect), round(fallen / ALIKE))
 
 
-def for_people(effect: RoomEffect) -> tuple[float, ...]:
-    """Return how much happens to people, who is hit before who is shut in."""
-    return (
-        round(effect.risk / ALIKE),
-        round(effect.shut_in.estimate / ALIKE),
-        round(effect.blocked.estimate / ALIKE),
-    )
+def for_people(effect: OptionVerdict) -> tuple[float, ...]:
+    """Return how much happens to people: the harm, then who is shut in, and which door is blocked."""
+    assert effect.people is not None
+    return effect.people.severity
 
 
 def merit(tried: Trial) -> tuple[float, ...]:
     """Return the sort key of measures on a piece: of those that bring the same, what it falls with least."""
-    risk, effect = round(tried.piece_risk / ALIKE), tried.effect
-    ways = round(effect.shut_in.estimate / ALIKE), round(effect.blocked.estimate / ALIKE)
-    return (risk, *ways, round(tried.overturns.estimate / ALIKE), len(tried.measures))
+    ways = for_people(tried.effect)[1:]
+    return (harm_step(tried.harm), *ways, round(tried.overturns.estimate / ALIKE), len(tried.measures))
 
 
-def frees(effect: RoomEffect) -> bool:
+def frees(effect: OptionVerdict) -> bool:
     """Return whether a way out is free more often, clearly or not."""
-    return any(change.estimate < 0.0 for change in (effect.shut_in_change, effect.blocked_change))
+    people = effect.people
+    ways = () if people is None else (people.shut_in.change, people.blocked.change)
+    return any(change is not None and change.estimate < 0.0 for change in ways)

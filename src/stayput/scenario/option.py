@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Self
+from typing import TYPE_CHECKING, NamedTuple, Self
 
 from stayput.catalogue import phrase
 from stayput.wording import joined
@@ -22,9 +22,27 @@ YOURS = "yours"
 """Name of the set that is put together on the app's page; the user has not chosen it."""
 
 
+class Moved(NamedTuple):
+    """What stands elsewhere with an option.
+
+    Parameters
+    ----------
+    what : str
+        The piece, or the place of a person.
+    at : tuple of float
+        Its middle in plan [m].
+    heading : float
+        What it faces there [rad].
+    """
+
+    what: str
+    at: tuple[float, float]
+    heading: float
+
+
 @dataclass(frozen=True, slots=True)
 class Option:
-    """What may hold the pieces of a scene: measures on each, and their joints.
+    """What may hold the pieces of a scene: measures on each, and their joints; and what stands elsewhere.
 
     Parameters
     ----------
@@ -34,11 +52,14 @@ class Option:
         The measures on each piece; none of the option with nothing in place.
     joined : bool
         Whether the joints are in place.
+    moved : tuple of Moved
+        What stands elsewhere than as the scenario states it.
     """
 
     name: str
     on: tuple[tuple[Measure, ...], ...] = ((),)
     joined: bool = False
+    moved: tuple[Moved, ...] = ()
 
     @property
     def measures(self) -> tuple[Measure, ...]:
@@ -47,8 +68,8 @@ class Option:
 
     @property
     def count(self) -> int:
-        """How many things are put in place: measures, and the joints together."""
-        return len(self.measures) + self.joined
+        """How many things are put in place or moved: measures, the joints together, pieces and places."""
+        return len(self.measures) + self.joined + len(self.moved)
 
     @property
     def generated_name(self) -> str:

@@ -124,12 +124,7 @@ class Scenario(SceneTables):
     def _check_pieces(self) -> None:
         if self.stated_dimensions == 2:
             raise not_allowed("dimensions", "2", "scenario.pieces_in_the_plane", "dimensions")
-        if self.uncertainty.badly(1.0) > 0.0:
-            name, value = "uncertainty.installation", repr(self.uncertainty.installation)
-            raise not_allowed(name, value, "scenario.installed_well", name)
         names, options = self.names, self.option_tables or []
-        if options and self.plan is not None:
-            raise InputError("common.left_out", "options", where=phrase("rooms.options_in_a_room"))
         taken = {NOTHING: phrase("scenario.option_of_nothing")}
         refuse_same_names("options", [option.name for option in options], taken)
         for number, option in enumerate(options):

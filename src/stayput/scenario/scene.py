@@ -181,7 +181,8 @@ class SceneTables(FromFile):
             ]
             joints = self._joints() if chosen.joined else []
             friction = self.static_friction, self.kinetic_friction
-            return Scene(pieces, self.room.room(), self._plan(), joints, friction)
+            scene = Scene(pieces, self.room.room(), self._plan(), joints, friction)
+            return scene.moved(chosen.moved) if chosen.moved else scene
 
     def _keys(self) -> AbstractContextManager[None]:
         """Refuse what is wrong with a scene by the keys of its pieces in the file."""

@@ -238,6 +238,7 @@ def placed(
     scene: Scene,
     strength: float = 1.0,
     drawn_floor: Callable[[Floor], Floor] = lambda floor: floor,
+    names: Sequence[str] = (),
 ) -> tuple[Placed, ...]:
     """Return the bodies of a scene with their measures in place.
 
@@ -249,6 +250,8 @@ def placed(
         Factor on the strengths of all devices.
     drawn_floor : callable
         Draws what measures put between a piece and the floor; the room's floor has been drawn.
+    names : sequence of str
+        How refusals call the pieces; by default as `Scene.called`.
 
     Raises
     ------
@@ -266,7 +269,7 @@ def placed(
         try:
             held = hold_piece(member, room, planes)
         except InputError as error:
-            raise error.at(scene.called(number)) from None
+            raise error.at(names[number] if names else scene.called(number)) from None
         under = _drawn(held.room.floor, room.floor, drawn_floor)
         held = replace(held, room=replace(held.room, floor=under))
         body = placed_piece(member, held, element_rows(held, strength), number)

@@ -237,18 +237,33 @@ class Scene:
         return repr(self.names[number]) if self.pieces[number].name else f"pieces[{number}]"
 
     def part(self, numbers: Sequence[int]) -> Scene:
-        """Return the scene of some of the pieces, with the joints between them."""
+        """Return the scene of some of the pieces, with the joints between them; the walls stay in place."""
+        pieces, room = [self.pieces[number] for number in numbers], self.room
+        if self.plan is None:
+            walls = {name: wall for name in WALLS_AROUND if (wall := getattr(room, name)) is not None}
+            moved = {name: _outermost(self.pieces, name) - _outermost(pieces, name) for name in walls}
+            # to a picometre, so that a gap is to the bit what it is for pieces alone
+            gaps = {name: round(wall.gap + moved[name], 12) for name, wall in walls.items() if moved[name]}
+            room = replace(room, **{name: replace(walls[name], gap=gap) for name, gap in gaps.items()})
         joints = [
             replace(joint, first=numbers.index(joint.first), second=numbers.index(joint.second))
             for joint in self.joints
             if joint.first in numbers and joint.second in numbers
         ]
-        return replace(self, pieces=[self.pieces[number] for number in numbers], joints=joints)
+        return replace(self, pieces=pieces, room=room, joints=joints)
 
-    def with_piece(self, number: int, piece: Piece) -> Scene:
-        """Return the scene with another piece in the place of one."""
-        pieces = [piece if n == number else other for n, other in enumerate(self.pieces)]
-        return replace(self, pieces=pieces)
+    def moved(self, moves: Iterable[tuple[str, tuple[float, float], float]]) -> Scene:
+        """Return the scene with pieces and places of people elsewhere: their middles, and what they face."""
+        pieces, plan = [*self.pieces], self.plan
+        for what, at, heading in moves:
+            if what in self.names:
+                number = self.names.index(what)
+                piece = pieces[number]
+                pieces[number] = replace(piece, at=(*at, piece.at[2]), heading=heading)
+            elif plan is not None:
+                number = [place.name for place in plan.places].index(what)
+                plan = plan.with_places({number: replace(plan.places[number], at=at, heading=heading)})
+        return replace(self, pieces=pieces, plan=plan)
 
     def refuse_wrong_places(self) -> None:
         """Raise `InputError` where a piece stands in floor, wall, ceiling, another, or where a person is.
@@ -326,6 +341,12 @@ def _around(pieces: Sequence[Piece], room: Room, plan: FloorPlan | None) -> Room
         for name, distance in plan.distances(low, high).items()
     }
     return replace(room, **walls)
+
+
+def _outermost(pieces: Sequence[Piece], wall: str) -> float:
+    """Return how far the outermost of pieces reaches towards a wall [m]."""
+    x, y = math.cos(FACING[wall]), math.sin(FACING[wall])
+    return max(piece.reach((-round(x), -round(y), 0.0))[1] for piece in pieces)
 
 
 def friction_between(friction: object) -> tuple[float, float]:

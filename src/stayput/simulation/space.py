@@ -17,13 +17,14 @@ from stayput.mechanics.devices.columns import DEVICE, NONE
 from stayput.mechanics.space.columns import ON_FLOOR, ON_ROOM
 from stayput.model.flat_fields import case_columns
 from stayput.model.parameters import GRAVITY
-from stayput.simulation.groups import run_in_groups
+from stayput.simulation.groups import groups_at_first, joined_traces, run_in_groups
 from stayput.simulation.outcome import OUTCOMES, Hit, Outcome
 from stayput.simulation.placing import held_body, joint_results, joint_springs, placed, planes_around
 from stayput.simulation.run import PieceRun, Run, default_names
 from stayput.simulation.space_engine import STEP, SpaceShaking, run_world
 from stayput.simulation.space_fate import fates_of, unrolled, upright_yaws
 from stayput.simulation.space_records import NORMALS, frames_of, matrices, planes_of, surface_of, world_of
+from stayput.simulation.tracks import tracks_of
 from stayput.wording import joined, name_within
 
 if TYPE_CHECKING:
@@ -42,6 +43,7 @@ if TYPE_CHECKING:
     from stayput.simulation.scene import Joint, Scene
     from stayput.simulation.space_engine import SpaceTrace
     from stayput.simulation.space_fate import Fate
+    from stayput.simulation.tracks import Track
 
 IMPACTS = ("floor_impacts", "wall_impacts", "body_impacts")
 """What the hits of a body are counted by."""
@@ -89,6 +91,10 @@ class Trace(NamedTuple):
         turns = matrices(frames_of(pieces, trace.attitude))
         return turns, fates_of(pieces, trace.place, turns, trace.gaps, trace.given_up)
 
+    def tracks(self, dt: float) -> list[Track]:
+        """Return where the bodies were; see `stayput.simulation.tracks`."""
+        return tracks_of([body.piece for body in self.bodies], self.trace, dt)
+
     def held(self) -> Iterator[tuple[int, Held, slice]]:
         """Yield the numbers of the pieces of furniture, their measures, and where their devices are."""
         first = 0
@@ -98,15 +104,8 @@ class Trace(NamedTuple):
             first += len(body.springs)
 
 
-def trace_scene(
-    scene: Scene,
-    shaking: SpaceShaking,
-    gravity: float,
-    step: float = STEP,
-    strength: float = 1.0,
-    drawn_floor: Callable[[Floor], Floor] = lambda floor: floor,
-) -> Trace:
-    """Run the pieces of a scene with their measures in place.
+def trace_scene(scene: Scene, shaking: SpaceShaking, gravity: float, step: float = STEP) -> Trace:
+    """Run the pieces of a scene with their measures in place, those together that meet.
 
     Parameters
     ----------
@@ -116,21 +115,77 @@ def trace_scene(
         Of the floor.
     gravity, step : float
         g [m/s²], and the longest step [s].
-    strength : float
-        Factor on the strengths of all devices but joints.
-    drawn_floor : callable
-        Draws what measures put between a piece and the floor.
 
     Raises
     ------
     InputError
         Measures that cannot be put in place, or bodies that begin inside each other or the room.
     """
+
+    def run(group: Group) -> Trace:
+        names = [scene.called(number) for number in group]
+        return trace_together(scene.part(group), shaking, gravity, step, names=names)
+
+    return trace_groups(scene, run, shaking.dt)
+
+
+def trace_groups(scene: Scene, run: Callable[[Group], Trace], dt: float) -> Trace:
+    """Run the pieces of a scene, those together that meet, and return the runs of all groups as one.
+
+    Parameters
+    ----------
+    scene : Scene
+        The pieces, and where they stand.
+    run : callable
+        Runs a group.
+    dt : float
+        Time between the samples [s].
+    """
+    traces = run_in_groups(groups_at_first(scene), run, lambda traced: traced.tracks(dt))
+    if len(traces) == 1:
+        return next(iter(traces.values()))
+    numbered = {n: body for group in traces for n, body in zip(group, traces[group].bodies, strict=True)}
+    bodies = tuple(numbered[number] for number in sorted(numbered))
+    ends = np.cumsum([0, *(len(body.springs) for body in bodies)]).tolist()
+    springs_of = [
+        [
+            *(place for number in group for place in range(ends[number], ends[number + 1])),
+            *(ends[-1] + place for place, joint in enumerate(scene.joints) if joint.first in group),
+        ]
+        for group in traces
+    ]
+    trace = joined_traces({group: traced.trace for group, traced in traces.items()}, springs_of)
+    gravity = next(iter(traces.values())).gravity
+    return Trace(bodies, planes_around(scene.pieces, scene.around), trace, gravity)
+
+
+def trace_together(
+    scene: Scene,
+    shaking: SpaceShaking,
+    gravity: float,
+    step: float = STEP,
+    strength: float = 1.0,
+    drawn_floor: Callable[[Floor], Floor] = lambda floor: floor,
+    names: Sequence[str] = (),
+) -> Trace:
+    """Run the pieces of a scene as one group.
+
+    Parameters
+    ----------
+    scene, shaking, gravity, step
+        As for `trace_scene`, which raises the same.
+    strength : float
+        Factor on the strengths of all devices but joints.
+    drawn_floor : callable
+        Draws what measures put between a piece and the floor.
+    names : sequence of str
+        How refusals call the pieces; by default as `Scene.called`.
+    """
+    called = names or [scene.called(number) for number in range(len(scene.pieces))]
+    bodies = placed(scene, strength, drawn_floor, called)
     planes = planes_around(scene.pieces, scene.around)
-    bodies = placed(scene, strength, drawn_floor)
     joints = joint_springs([body.piece for body in bodies], scene.joints)
-    names = [scene.called(number) for number in range(len(bodies))]
-    return _traced(bodies, names, planes, joints, scene.friction, shaking, gravity, step)
+    return _traced(bodies, called, planes, joints, scene.friction, shaking, gravity, step)
 
 
 def trace_case(
@@ -184,15 +239,13 @@ def _traced(
 ) -> Trace:
     """Run bodies in a room, with the springs of their joints; the rest as of `run_world` and `world_of`."""
     solids, floors = [body.piece.solid for body in bodies], [body.floor for body in bodies]
-    poses, springs = np.stack([body.pose for body in bodies]), [*(body.springs for body in bodies), joints]
+    springs = [*(body.springs for body in bodies), joints]
     acceleration, dt = shaking.acceleration, shaking.dt
 
-    def run(group: Group, held: NDArray[np.void]) -> SpaceTrace:
-        world = world_of([solids[body] for body in group], [floors[body] for body in group], planes, between)
-        called = [names[body] for body in group] if len(bodies) > 1 else [phrase("simulation.the_piece")]
-        return run_world(world, poses[[*group]], held, acceleration, dt, step, gravity, lies, called)
-
-    trace = run_in_groups(run, solids, poses, np.concatenate(springs), dt)
+    world = world_of(solids, floors, planes, between)
+    called = names if len(bodies) > 1 else [phrase("simulation.the_piece")]
+    held, poses = np.concatenate(springs), np.stack([body.pose for body in bodies])
+    trace = run_world(world, poses, held, acceleration, dt, step, gravity, lies, called)
     return Trace(bodies, planes, trace, gravity)
 
 

@@ -10,27 +10,26 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.catalogue import phrase
 from stayput.errors import InputError, not_allowed, numbers
 from stayput.fragility.curve import fragility_curve
 from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY
 from stayput.fragility.paired import difference
 from stayput.fragility.probabilities import probability
 from stayput.fragility.trials import Trials
-from stayput.measures import Element, hold
 from stayput.measures.element import weakest
 from stayput.mechanics.devices.columns import HOLDS
 from stayput.montecarlo.counting import Quantiles, members, severity
-from stayput.montecarlo.hazard import FloorMotions, Hazard
-from stayput.montecarlo.runs import Falls, Runs, run_level, run_levels
-from stayput.montecarlo.sampling import Rows, Settings, draws, rows_of, sample_until_precise
-from stayput.montecarlo.several import draws_of_several, run_several
+from stayput.montecarlo.hazard import Hazard
+from stayput.montecarlo.sampling import Settings, sample_until_precise
 from stayput.progress import tally
-from stayput.simulation.placing import JOINT, placed
-from stayput.simulation.space import warn_of_settlement
-from stayput.verification.contents import ContentsVerdict, contents_verdicts
+from stayput.simulation.placing import JOINT
+from stayput.verification.contents import contents_verdicts
+from stayput.verification.contest import Contest
+from stayput.verification.events import zones_of
 from stayput.verification.notes import Estimates
 from stayput.verification.options import compared_options
+from stayput.verification.people import hardest, harm_of, people_of, typical_of
+from stayput.verification.search import tried_options
 from stayput.verification.verdict import (
     AsInstalled,
     DeviceSummary,
@@ -47,9 +46,14 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.fragility.curve import FragilityCurve
     from stayput.fragility.intensity_measures import IntensityMeasure
+    from stayput.fragility.paired import Difference
+    from stayput.measures import Element
+    from stayput.montecarlo.counting import Outcomes
+    from stayput.montecarlo.hazard import FloorMotions
+    from stayput.montecarlo.runs import Falls, Runs
     from stayput.scenario import Scenario
     from stayput.scenario.option import Option
-    from stayput.simulation.scene import Scene
+    from stayput.verification.contents import ContentsVerdict
 
 LEVELS: NDArray[np.float64] = np.linspace(4.1, 6.95, 20)
 """JMA intensities of the ground for the fragility curves: from 4 to 7."""
@@ -67,78 +71,10 @@ def curve_levels(dimensions: int) -> NDArray[np.float64]:
     return LEVELS if dimensions == 2 else LEVELS_IN_SPACE
 
 
-class Contest:
-    """The options of a verification, ready to meet motions and draws.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        What stands where.
-    options : tuple of Option
-        What is in place, that with nothing first.
-    settings : Settings
-        Of the draws.
-    threads : int, optional
-        As many as there are cores by default. The bits do not depend on them.
-    """
-
-    def __init__(
-        self, scenario: Scenario, options: tuple[Option, ...], settings: Settings, threads: int | None
-    ) -> None:
-        self.scenario, self.options, self._settings, self._threads = scenario, options, settings, threads
-        self._drawn: dict[str, Any] = {"as_stated": settings.as_stated, "quantities": settings.quantities}
-        self._scenes: list[Scene] = []
-        self._last: tuple[object, list[Rows]] = None, []
-        self.devices: list[list[tuple[tuple[str, ...], Element | None]]] = []
-        """What holds the pieces of each option: the pieces, and the device; None of a joint."""
-        if scenario.alone:
-            body, room = scenario.piece.body(), scenario.room.room()
-            for option in options:
-                held = hold(body, room, option.measures, dimensions=scenario.dimensions)
-                self.devices.append([(scenario.names, element) for element in held.elements])
-            return
-        self._scenes = [scenario.scene(option) for option in options]
-        warn_of_settlement(self._scenes[0])
-        for scene in self._scenes:
-            on_pieces = zip(scene.names, placed(scene), strict=True)
-            each = [
-                ((name,), element) for name, body in on_pieces if body.held for element in body.held.elements
-            ]
-            joints = [((scene.names[joint.first], scene.names[joint.second]), None) for joint in scene.joints]
-            self.devices.append([*each, *joints])
-
-    def rows(self, options: tuple[Option, ...], samples: int, start: int = 0) -> list[Rows]:
-        """Return the rows of options of a lone piece, for some samples of each motion."""
-        asked = options, samples, start
-        if asked == self._last[0]:
-            return self._last[1]
-        scenario, settings = self.scenario, self._settings
-        body, room = scenario.piece.body(), scenario.room.room()
-        drawn = draws(settings.motions, samples, settings.seed, start, **self._drawn)
-        stands = settings.gravity, scenario.initial.state(), scenario.dimensions
-        rows = [rows_of(body, room, option.measures, drawn, *stands) for option in options]
-        self._last = asked, rows
-        return rows
-
-    def run(
-        self, floors: FloorMotions, samples: int, start: int, progress: Callable[[int], None]
-    ) -> list[Runs]:
-        """Run all options at one level, for some samples of each motion."""
-        if not self._scenes:
-            rows = self.rows(self.options, samples, start)
-            return run_level(rows, floors, threads=self._threads, progress=progress)
-        scenario, settings = self.scenario, self._settings
-        direction = scenario.direction or 0.0
-        place = settings.motions, samples, settings.seed, start
-        drawn = draws_of_several(scenario.names, *place, direction=direction, **self._drawn)
-        shaken = floors, settings.gravity, scenario.counted
-        with scenario.naming_keys():
-            return run_several(self._scenes, drawn, *shaken, threads=self._threads, progress=progress)
-
-
 def compare(
     scenario: Scenario,
     *,
+    changes: bool = True,
     levels: ArrayLike | None,
     further: Sequence[IntensityMeasure] = (),
     slide_limit: float,
@@ -150,72 +86,79 @@ def compare(
 ) -> Verdict:
     """Compare the options of a scenario; see `stayput.verify`."""
     began, limit = time.perf_counter(), slide_limit
-    rows = _levels(scenario, levels)
+    rows = _levels(scenario, levels, further)
     options, impossible = compared_options(scenario)
+    search = changes and scenario.plan is not None and not scenario.options
     hazard = Hazard.of(scenario, tuple(further))
-    ground = hazard.ground
-    settings = Settings.of(scenario, len(ground), limit)
     faulty = _badly_installed(options, scenario)
-    contest = Contest(scenario, options, settings, threads)
-    total = len(ground) * settings.samples * (len(options) * (1 + len(rows)) + len(faulty))
+    runs_each = len(hazard.ground) * Settings.of(scenario, len(hazard.ground), limit).samples
+    total = runs_each * (len(options) * (1 + len(rows)) + len(faulty))
     with tally(total, "progress.verifying", progress, on_progress) as count:
-        floors = hazard.stated_by(scenario, threads)
+        contest = Contest(scenario, limit, threads, hazard=hazard, advance=count)
+        floors, settings = contest.floors, contest.settings
+        estimates = Estimates.of(scenario.piece.body(), floors, scenario, threads) if scenario.alone else None
 
-        def run(_: list[int], samples: int, start: int) -> list[Runs]:
-            return contest.run(floors, samples, start, count)
-
-        body = scenario.piece.body() if scenario.alone else None
-        estimates = None if body is None else Estimates.of(body, floors, scenario, threads)
-
-        def ranked(outcomes: list[Runs], samples: int) -> Verdict:
-            return Verdict(
+        def so_far(outcomes: Sequence[Runs], samples: int, **more: Any) -> Verdict:
+            verdict = Verdict(
                 scenario=scenario,
                 intensity=floors.median_intensity,
                 slide_limit=limit,
-                options=_verdicts(contest, outcomes, limit),
+                options=verdicts_of(contest, options, outcomes, **more),
                 estimates=estimates,
-                motions=len(ground),
+                motions=settings.motions,
                 samples=samples,
-                runs=len(options) * len(ground) * samples,
+                runs=count.done,
                 seed=settings.seed,
                 seconds=time.perf_counter() - began,
                 impossible=impossible,
                 complete=False,
                 floor=floors.floor,
             )
+            if on_verdict is not None:
+                on_verdict(verdict)
+            return verdict
 
         def tell(outcomes: list[Runs], samples: int) -> None:
-            if on_verdict is not None:
-                on_verdict(ranked(outcomes, samples))
+            so_far(outcomes, samples)
+
+        def run(_: list[int], samples: int, start: int) -> list[Runs]:
+            return contest.run(options, samples, start, keep=scenario.plan is not None)
 
         # All options go on together, since they are compared sample by sample.
         here, samples, precise = sample_until_precise(
             len(options), settings, run, together=True, on_batch=None if on_verdict is None else tell
         )
-        tell(here, samples)
-        at_a_level, badly = len(options) * len(ground) * samples, len(faulty) * len(ground) * samples
+        verdict = so_far(here, samples)
+        if search:
+            for option in tried_options(contest, options[0], here[0]):
+                options = (*options, option)
+                here += contest.run([option], samples)
+                verdict = so_far(here, samples)
+        at_a_level, badly = (
+            len(options) * settings.motions * samples,
+            len(faulty) * settings.motions * samples,
+        )
         if unneeded := total - at_a_level * (1 + len(rows)) - badly:  # samples beyond the asked precision
-            count(unneeded)
-        installed: dict[str, AsInstalled] = {}
+            count(max(0, unneeded))
+        more: dict[str, Any] = {}
         if faulty:
-            bad = contest.rows(tuple(option for option, *_ in faulty), samples)
-            bad_runs = run_level(bad, floors, threads=threads, progress=count)
+            bad_runs = contest.run([option for option, *_ in faulty], samples)
             well = {option.name: runs for option, runs in zip(options, here, strict=True)}
-            for (option, how, share), runs in zip(faulty, bad_runs, strict=True):
-                installed[option.name] = _as_installed(how, share, well[option.name], runs, limit)
-        inside = contents_verdicts(options, scenario, floors, settings.seed, threads)
-        floors_at = cache(partial(hazard.at, threads=threads))
-        falls: list[Falls] = []
+            more["installed"] = {
+                option.name: _as_installed(how, share, well[option.name], runs, limit)
+                for (option, how, share), runs in zip(faulty, bad_runs, strict=True)
+            }
+        more["inside"] = contents_verdicts(options, scenario, floors, settings.seed, threads)
         made = 0
         if len(rows):
-            drawn = contest.rows(options, samples)
-            falls, made = run_levels(
-                drawn, rows, floors_at, every_run=every_run, threads=threads, progress=count
-            )
-        measures = [floors_at(float(level)) for level in rows]
+            floors_at = cache(partial(hazard.at, threads=threads))
+            more["falls"], made = contest.falls(options, samples, rows, floors_at, every_run=every_run)
+            more["measures"] = [floors_at(float(level)) for level in rows]
+        if more["inside"] or faulty or len(rows):
+            verdict = replace(verdict, options=verdicts_of(contest, options, here, **more))
     return replace(
-        ranked(here, samples),
-        options=_verdicts(contest, here, limit, falls, measures, installed, inside),
+        verdict,
+        seconds=time.perf_counter() - began,
         levels=rows,
         runs=at_a_level + badly + made,
         settled=at_a_level * len(rows) - made,
@@ -224,17 +167,20 @@ def compare(
     )
 
 
-def _levels(scenario: Scenario, levels: ArrayLike | None) -> NDArray[np.float64]:
-    """Return the levels of the fragility curves: those asked for, or the usual ones."""
+def _levels(
+    scenario: Scenario, levels: ArrayLike | None, further: Sequence[IntensityMeasure]
+) -> NDArray[np.float64]:
+    """Return the levels of the fragility curves: those asked for, or the usual ones.
+
+    Of scenes, whose runs are longer, there are none unless a measure for their curves is asked for.
+    """
     if levels is None:
-        return curve_levels(scenario.dimensions) if scenario.alone else np.empty(0)
+        return curve_levels(scenario.dimensions) if scenario.alone or further else np.empty(0)
     rows = numbers("fragility.level", levels, "levels")
     if rows.ndim != 1:
         raise not_allowed("fragility.level", repr(levels), "common.list", "levels")
     if np.any(np.diff(rows) <= 0.0):
         raise InputError("verification.levels_not_increasing", "levels")
-    if len(rows) and not scenario.alone:
-        raise InputError("common.left_out", "levels", where=phrase("several.for_levels"))
     return rows
 
 
@@ -243,7 +189,7 @@ def _badly_installed(
 ) -> list[tuple[Option, tuple[Phrase, ...], float]]:
     """Return the options badly installed of which the scenario asks a share, what is wrong, and the share."""
     faulty: list[tuple[Option, tuple[Phrase, ...], float]] = []
-    for option in options if scenario.alone else ():
+    for option in options:
         bad, wrong = option.badly_installed(scenario.room.room()) or (option, ())
         share = scenario.uncertainty.badly(max(each.share for each in wrong)) if wrong else 0.0
         if share > 0.0:
@@ -279,57 +225,102 @@ def _curves(
     }
 
 
-def _verdicts(
+def verdicts_of(
     contest: Contest,
-    stated: list[Runs],
-    slide_limit: float,
+    options: Sequence[Option],
+    outcomes: Sequence[Runs],
+    *,
     falls: Sequence[Falls] = (),
     measures: Sequence[FloorMotions] = (),
     installed: Mapping[str, AsInstalled] = MappingProxyType({}),
     inside: Sequence[ContentsVerdict | None] = (),
 ) -> tuple[OptionVerdict, ...]:
-    """Return the verdicts on all options, the best first."""
-    options, bare, names = contest.options, stated[0], contest.scenario.names
-    chances = [runs.probabilities(slide_limit) for runs in stated]
-    order = sorted(range(len(stated)), key=lambda i: (*severity(chances[i], options[i].count), i))
+    """Return the verdicts on options, that without anything first in its arguments, the best first.
+
+    Harm to people ranks before all else; then `stayput.montecarlo.counting.severity`.
+    """
     verdicts: list[OptionVerdict] = []
-    for rank, i in enumerate(order, start=1):
-        option, runs = options[i], stated[i]
-        missing, comparisons = runs.missing | bare.missing, len(stated) - 1
-        typical, worst = members(runs)
+    for i, (option, runs) in enumerate(zip(options, outcomes, strict=True)):
         curves = _curves(option.name, falls[i], measures) if measures else {}
-        verdicts.append(
-            OptionVerdict(
-                option=option,
-                rank=rank,
-                probabilities=chances[i],
-                change=difference(runs.overturned, bare.overturned, missing, comparisons=comparisons)
-                if i
-                else None,
-                slide=Quantiles.of(runs.slide, runs.overturned),
-                tilt=Quantiles.of(runs.tilt, runs.overturned),
-                typical=typical,
-                worst=worst,
-                pieces=tuple(
-                    PieceVerdict(
-                        name,
-                        outcomes.probabilities(slide_limit),
-                        Quantiles.of(outcomes.slide, outcomes.overturned),
-                        Quantiles.of(outcomes.tilt, outcomes.overturned),
-                    )
-                    for name, outcomes in zip(names, runs.of_bodies(), strict=True)
-                ),
-                devices=tuple(
-                    device_summary(pieces, element, number, runs)
-                    for number, (pieces, element) in enumerate(contest.devices[i])
-                ),
-                curves=curves,
-                capacities={p: curves[JMA_INTENSITY].capacity(p) for p in CAPACITIES} if curves else {},
-                installed=installed.get(option.name),
-                contents=inside[i] if inside else None,
+        verdict = option_verdict(contest, option, runs, outcomes[0] if i else None, len(options) - 1)
+        capacities = {p: curves[JMA_INTENSITY].capacity(p) for p in CAPACITIES} if curves else {}
+        further = {"installed": installed.get(option.name), "contents": inside[i] if inside else None}
+        verdicts.append(replace(verdict, curves=curves, capacities=capacities, **further))
+
+    def key(i: int) -> tuple[float, ...]:
+        people = verdicts[i].people
+        harm = () if people is None else people.severity
+        return *harm, *severity(verdicts[i].probabilities, options[i].count), i
+
+    order = sorted(range(len(verdicts)), key=key)
+    return tuple(replace(verdicts[i], rank=rank) for rank, i in enumerate(order, start=1))
+
+
+def option_verdict(
+    contest: Contest, option: Option, runs: Runs, bare: Runs | None, comparisons: int = 1
+) -> OptionVerdict:
+    """Return the verdict on an option, which has no rank yet.
+
+    Parameters
+    ----------
+    contest : Contest
+        Under whose motions and draws it ran.
+    option : Option
+        What is in place.
+    runs, bare : Runs
+        Its runs, and those without anything; None of what is without.
+    comparisons : int
+        How many options are compared with what is without.
+    """
+    limit, scenario = contest.settings.slide_limit, contest.scenario
+    typical, worst = members(runs)
+    each = [*runs.of_bodies()]
+    of_bare = [None] * len(each) if bare is None else [*bare.of_bodies()]
+    people, zones, harm = None, [None] * len(each), [0.0] * len(each)
+    if (plan := contest.plan(option)) is not None and contest.watcher is not None:
+        pieces = contest.scene(option).pieces
+        masses = [(name, piece.body.mass) for name, piece in zip(scenario.names, pieces, strict=True)]
+        people = people_of(runs, bare, plan, masses, contest.at_rest(option))
+        harm = [harm_of(hardest(runs, [n]), plan.places, runs.missing) for n in range(len(each))]
+        zones = zones_of(runs, pieces, contest.watcher, plan)
+    if runs.results is not None and people is not None:
+        typical = typical_of(runs)
+
+    def change(of: Outcomes, without: Outcomes | None) -> Difference | None:
+        if without is None:
+            return None
+        missing = of.missing | without.missing
+        return difference(of.overturned, without.overturned, missing, comparisons=comparisons)
+
+    return OptionVerdict(
+        option=option,
+        rank=0,
+        probabilities=runs.probabilities(limit),
+        change=change(runs, bare),
+        slide=Quantiles.of(runs.slide, runs.overturned),
+        tilt=Quantiles.of(runs.tilt, runs.overturned),
+        typical=typical,
+        worst=worst,
+        pieces=tuple(
+            PieceVerdict(
+                name,
+                outcomes.probabilities(limit),
+                Quantiles.of(outcomes.slide, outcomes.overturned),
+                Quantiles.of(outcomes.tilt, outcomes.overturned),
+                change(outcomes, without),
+                harm[n],
+                zones[n],
             )
-        )
-    return tuple(verdicts)
+            for n, (name, outcomes, without) in enumerate(zip(scenario.names, each, of_bare, strict=True))
+        ),
+        devices=tuple(
+            device_summary(pieces, element, number, runs)
+            for number, (pieces, element) in enumerate(contest.held_by(option))
+        ),
+        curves={},
+        capacities={},
+        people=people,
+    )
 
 
 def device_summary(

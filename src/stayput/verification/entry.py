@@ -35,6 +35,7 @@ def verify(
     building: Building | ShearModel | None = None,
     storey: int | None = None,
     measures: MeasureSets | None = None,
+    changes: bool = True,
     uncertainty: Uncertainty | None = None,
     samples: int | None = None,
     seed: int | None = None,
@@ -59,7 +60,7 @@ def verify(
     ----------
     what : Body, Case or Scenario
         What stands. A case has its room, its motion and its own measures; a scenario says everything. Of
-        several pieces joints and measures on each are compared, at the scenario's own shaking alone.
+        several pieces joints and measures on each are compared, and of a room single changes of it.
     room : Room, optional
         Where a body stands; on a wooden floor without walls by default.
     shaking : Motion, Suite, sequence of Motion, str, float or mapping
@@ -73,6 +74,9 @@ def verify(
         What a body or a case is compared with: each a `Measure`, of one's own as well, or several that are in
         place together; a mapping names them. With none in it only the furniture without measures is verified,
         or with a case's own. The usual ones by default.
+    changes : bool
+        Whether single changes are tried in a room that names no options: a measure on each piece that does
+        harm or falls, another place for it, and for those whom it hits.
     uncertainty : Uncertainty, optional
         The quantities that are drawn for a body or a case, by the names of `stayput.uncertainty.USUAL`; what
         is not in it is as stated. All, as they are usually, by default.
@@ -82,7 +86,7 @@ def verify(
         Half-width of the 95 % interval of the probability of overturning that is enough, of a body or a case.
     levels : array_like, optional
         JMA intensities of the ground for the fragility curves, increasing; with none in it there are no
-        curves. Default `stayput.verification.LEVELS`, in space fewer.
+        curves. Default `stayput.verification.LEVELS`, in space fewer; of several pieces and rooms none.
     intensity_measures : sequence of IntensityMeasure, optional
         What else the curves are drawn against, beside the usual measures: ``MMI`` of
         `stayput.fragility.intensity_measures`, or its ``spectral_acceleration`` at a period.
@@ -98,8 +102,8 @@ def verify(
         Called with the runs made or settled and with all runs, for a bar of one's own; an exception that it
         raises stops the work.
     on_verdict : callable, optional
-        Called with the ranking of one piece as it gets better, before it is `complete`: after some samples,
-        after all, and then come the curves and all else. The samples' bits do not depend on it.
+        Called with the ranking as it gets better, before it is `complete`: after some samples, after all and
+        each change, and then come the curves and all else. The samples' bits do not depend on it.
 
     Returns
     -------
@@ -150,12 +154,11 @@ def verify(
         case _:
             _refuse_beside(subject, in_python | settings)
             scenario = subject
-    if scenario.plan is not None:
-        raise InputError("rooms.use_verify_room", "what")
     further = list_of("intensity_measures", intensity_measures, IntensityMeasure)
     known = dict.fromkeys(intensity_measure(measure.key, "intensity_measures") for measure in further)
     return compare(
         scenario,
+        changes=changes,
         levels=levels,
         further=[*known],
         slide_limit=limit,

@@ -84,9 +84,11 @@ def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impo
         refuse_bad_start(scenario.piece.body(), room, scenario.initial.state())
         compared = named if named or scenario.in_python["measures"] == () else usual()
     else:
-        with scenario.naming_file():
-            put_in_place(scenario.stated)
-        compared = named or _usual_of_several(scenario)
+        with scenario.naming_keys():
+            stated = scenario.scene()
+            stated.refuse_wrong_places()
+            placed(stated)
+        compared = named or (() if scenario.plan is not None else _usual_of_several(scenario))
     possible, impossible = list[Option](), list[Impossible]()
     for option in compared:
         try:
@@ -99,6 +101,8 @@ def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impo
         with scenario.naming_file():
             raise impossible[0].error
     nothing = Option(NOTHING, ((),) * len(scenario.names))
+    if scenario.plan is not None and not named:  # changes of the room as it is are looked for
+        nothing = scenario.stated
     return (nothing, *possible), tuple(impossible)
 
 
@@ -158,26 +162,17 @@ class Input:
 
 
 def inputs(option: Option, scenario: Scenario) -> tuple[Input, ...]:
-    """Return the inputs that decide the outcome of an option, the piece first.
+    """Return the inputs that decide the outcome of an option, each once.
 
     Parameters
     ----------
     option : Option
-        The measures, which can be put in place.
+        What is in place, which is possible.
     scenario : Scenario
-        The furniture and where it stands.
+        The pieces and where they stand.
     """
-    before = scenario.room.room()
-    after = hold(scenario.piece.body(), before, option.measures).room.floor
-    replaced = (after.static_friction, after.kinetic_friction) != (
-        before.floor.static_friction,
-        before.floor.kinetic_friction,
-    )
-    return (
-        Input(phrase("verification.size_and_mass"), furniture_tag(scenario.piece)),
-        *_around(scenario, after, replaced),
-        *(quantity for measure in option.measures for quantity in _of_measure(measure)),
-    )
+    each = (inputs_of_piece(option.on[number], scenario, number) for number in scenario.counted)
+    return tuple(dict.fromkeys(item for of_piece in each for item in of_piece))
 
 
 def weakest(option: Option, scenario: Scenario) -> tuple[Input, ...]:
@@ -192,32 +187,31 @@ def grade(option: Option, scenario: Scenario) -> Grade:
     return weakest(option, scenario)[0].grade
 
 
-def inputs_in_room(measures: tuple[Measure, ...], scenario: Scenario, number: int) -> tuple[Input, ...]:
-    """Return the inputs that decide what becomes of a piece of a room with measures on it.
+def inputs_of_piece(measures: tuple[Measure, ...], scenario: Scenario, number: int) -> tuple[Input, ...]:
+    """Return the inputs that decide what becomes of a piece with measures on it.
 
     Parameters
     ----------
     measures : tuple of Measure
         The measures, which can be put in place.
     scenario : Scenario
-        The room.
+        The pieces and where they stand.
     number : int
         The piece.
     """
-    table, room = scenario.pieces[number], scenario.room.room()
-    known = table.preset is None or table.mass not in (None, FURNITURE[table.preset].mass)
-    basis = [Input(phrase("verification.size_and_mass"), GIVEN if known else Confidence.LOW.value)]
-    basis += _around(scenario, room.floor, any(isinstance(measure, OtherFriction) for measure in measures))
-    stated = scenario.room.model_fields_set
+    room = scenario.room
+    basis = [Input(phrase("verification.size_and_mass"), furniture_tag(scenario.pieces[number]))]
+    replaced = any(isinstance(measure, OtherFriction) for measure in measures)
+    basis += _around(scenario, room.room().floor, replaced)
     for measure in measures:
         basis += _of_measure(measure)
-        if isinstance(measure, WallDevice) and "walls" not in stated:
+        wall, ceiling = room.left_wall, room.ceiling
+        known = "walls" in room.model_fields_set or (wall and "construction" in wall.model_fields_set)
+        if isinstance(measure, WallDevice) and not known:
             basis.append(Input(phrase("verification.the_wall"), Confidence.LOW.value))
-    ceiling = scenario.room.ceiling
-    on_ceiling = any(isinstance(measure, TensionPole) for measure in measures)
-    if on_ceiling and ceiling is not None and "construction" not in ceiling.model_fields_set:
-        basis.append(Input(phrase("verification.the_ceiling"), Confidence.LOW.value))
-    return tuple(basis)
+        if isinstance(measure, TensionPole) and ceiling and "construction" not in ceiling.model_fields_set:
+            basis.append(Input(phrase("verification.the_ceiling"), Confidence.LOW.value))
+    return tuple(dict.fromkeys(basis))
 
 
 def _around(scenario: Scenario, floor: Floor, replaced: bool) -> Iterator[Input]:

@@ -12,7 +12,7 @@ from stayput.saved import InJson
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
     from pathlib import Path
 
     from matplotlib.axes import Axes
@@ -26,9 +26,15 @@ if TYPE_CHECKING:
     from stayput.measures.measure import Grade
     from stayput.scenario import Scenario
     from stayput.scenario.option import Option
+    from stayput.verification.changes import Change
     from stayput.verification.contents import ContentsVerdict
+    from stayput.verification.events import Zones
     from stayput.verification.notes import Estimates
     from stayput.verification.options import Impossible
+    from stayput.verification.people import People
+
+FALLS = 0.05
+"""Chance of overturning from which on a piece is to be held, even where it hits nobody and blocks no way."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +96,7 @@ class AsInstalled:
 
 @dataclass(frozen=True, slots=True)
 class PieceVerdict:
-    """What becomes of one of several pieces with an option.
+    """What becomes of a piece with an option.
 
     Parameters
     ----------
@@ -100,12 +106,27 @@ class PieceVerdict:
         Of each of `EVENTS`; that of a device's failure counts all devices.
     slide, tilt : Quantiles
         Peak slide [m] and tilt [rad].
+    change : Difference, optional
+        Probability that it overturns less that without anything; none of the latter itself.
+    harm : float
+        Energy with which it hits people in a room, on average over all runs and weighted by how long somebody
+        is at each place [J].
+    zones : Zones, optional
+        Where it ends in a room as it is.
     """
 
     name: str
     probabilities: Mapping[str, Probability]
     slide: Quantiles
     tilt: Quantiles
+    change: Difference | None = None
+    harm: float = 0.0
+    zones: Zones | None = None
+
+    @property
+    def falls(self) -> bool:
+        """Whether it overturns so often that it is to be held, even where it hits nobody."""
+        return self.probabilities[OVERTURNED].estimate >= FALLS
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False, kw_only=True)
@@ -138,6 +159,8 @@ class OptionVerdict:
         As people install it, where the scenario asks for that and it can be badly installed.
     contents : ContentsVerdict, optional
         What comes out of the furniture, where the scenario says what is in it.
+    people : People, optional
+        What happens to people, in a room with a plan.
     """
 
     option: Option
@@ -154,6 +177,39 @@ class OptionVerdict:
     capacities: Mapping[float, Capacity]
     installed: AsInstalled | None = None
     contents: ContentsVerdict | None = None
+    people: People | None = None
+
+    @property
+    def better(self) -> tuple[str, ...]:
+        """What happens clearly less often: some of "hit", "shut_in", "blocked" and "overturned"."""
+        return self._clear(-1.0)
+
+    @property
+    def worse(self) -> tuple[str, ...]:
+        """What happens clearly more often."""
+        return self._clear(1.0)
+
+    @property
+    def helps(self) -> bool:
+        """Whether something is clearly for the better, nothing clearly for the worse, and no more are hit."""
+        hit = None if self.people is None else self.people.hit.change
+        return bool(self.better) and not self.worse and (hit is None or hit.estimate <= 0.0)
+
+    @property
+    def differences(self) -> Iterator[tuple[str, Difference]]:
+        """What differs from what is without it: of people, and of each piece that it overturns."""
+        if self.people is not None:
+            for name in ("hit", "shut_in", "blocked"):
+                if (change := getattr(self.people, name).change) is not None:
+                    yield name, change
+        for piece in self.pieces:
+            if piece.change is not None:
+                yield OVERTURNED, piece.change
+
+    def _clear(self, sign: float) -> tuple[str, ...]:
+        """Return what changes clearly in one direction, each once."""
+        clear = (name for name, diff in self.differences if diff.clear and sign * diff.estimate > 0.0)
+        return tuple(dict.fromkeys(clear))
 
     def __repr__(self) -> str:
         overturned = self.probabilities[OVERTURNED].text
@@ -173,7 +229,7 @@ class Verdict(InJson):
     slide_limit : float
         Slide that counts as too far [m].
     options : tuple of OptionVerdict
-        The best first; exactly one of them has nothing in place.
+        The best first; exactly one of them has nothing in place, or is the room as it is.
     motions, samples : int
         Motions, and Monte Carlo samples of each.
     runs : int
@@ -262,20 +318,57 @@ class Verdict(InJson):
 
     @property
     def without(self) -> OptionVerdict:
-        """The option with nothing in place."""
-        return next(option for option in self.options if not option.option.count)
+        """The option with nothing in place, or the room as it is: what the others are compared with."""
+        return next(option for option in self.options if option.change is None)
+
+    @property
+    def others(self) -> tuple[OptionVerdict, ...]:
+        """The other options, the best first."""
+        return tuple(option for option in self.options if option.change is not None)
+
+    @property
+    def helping(self) -> OptionVerdict | None:
+        """The best of the others that clearly helps, or None where none does."""
+        return next((option for option in self.others if option.helps), None)
+
+    def changes(self, option: OptionVerdict) -> tuple[Change, ...]:
+        """Return what an option changes of that which it is compared with."""
+        from stayput.verification.changes import changes_in
+
+        return changes_in(option.option, self.without.option, self.scenario.names)
 
     def report(self, path: str | Path, language: str = "en") -> Path:
         """Write the report, one HTML file with everything in it; see `stayput.report.verdict`."""
+        from stayput.report.room.report import write_room_report
         from stayput.report.verdict.html import write_report
 
-        return write_report(self, path, language)
+        write = write_report if self.scenario.plan is None else write_room_report
+        return write(self, path, language)
 
     def sentence(self, language: str = "en") -> str:
         """Return the verdict in one sentence, in "en" or "ja"."""
+        from stayput.verification.room_words import sentence_of_room
         from stayput.verification.words import headline
 
-        return headline(self, language)
+        return (headline if self.scenario.plan is None else sentence_of_room)(self, language)
+
+    def label(self, option: OptionVerdict, language: str = "en") -> str:
+        """Return what an option consists of, in "en" or "ja": "Belts on the bookcase"."""
+        from stayput.verification.room_words import option_label
+        from stayput.verification.words import title
+
+        if self.scenario.plan is None:
+            return title(option.option, self, language)
+        return option_label(option, self, language)
+
+    def reason(self, option: OptionVerdict, language: str = "en") -> str:
+        """Return why an option stands where it does, in one plain sentence, in "en" or "ja"."""
+        from stayput.verification.room_words import change_sentence
+        from stayput.verification.words import reason
+
+        if self.scenario.plan is None or option.change is None:
+            return reason(option, self, language)
+        return change_sentence(option, self, language)
 
     def grade(self, option: OptionVerdict) -> Grade:
         """Return the grade of an option: that of its weakest input; see `stayput.verification.options`."""
@@ -298,12 +391,14 @@ class Verdict(InJson):
 
     def to_markdown(self, language: str = "en") -> str:
         """Return the verdict as Markdown, in "en" or "ja"."""
+        from stayput.report.room.report import room_markdown
         from stayput.report.verdict.markdown import verdict_markdown
 
-        return verdict_markdown(self, language)
+        return (verdict_markdown if self.scenario.plan is None else room_markdown)(self, language)
 
     def to_csv(self) -> str:
-        """Return the ranking as CSV."""
+        """Return the ranking as CSV, or of a room all probabilities."""
+        from stayput.report.room.data import room_csv
         from stayput.report.verdict.tables import verdict_csv
 
-        return verdict_csv(self)
+        return (verdict_csv if self.scenario.plan is None else room_csv)(self)

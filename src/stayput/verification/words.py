@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from stayput.fragility.probabilities import Probability
-    from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario.option import Option
     from stayput.verification.verdict import AsInstalled, OptionVerdict, Verdict
 
@@ -42,7 +41,7 @@ def class_phrase(intensity: float, floor: str = "") -> Phrase:
     return phrase("ground_shaking.of_floor", strength=strength, floor=floor_phrase(floor))
 
 
-def shaking_phrase(verdict: Verdict | RoomVerdict) -> Phrase:
+def shaking_phrase(verdict: Verdict) -> Phrase:
     """Return how strong shaking is: its class, and what was stated where that is not the class itself."""
     shaking, strength = verdict.scenario.shaking, class_phrase(verdict.intensity, verdict.floor)
     if shaking.strength is None or isinstance(shaking.intensity, str):

@@ -6,6 +6,7 @@ import { worded } from "../refusals.js";
 import { both, percent, t } from "../words.js";
 import { line } from "../verification.js";
 import { basis, capital, chance, points } from "./amounts.js";
+import { ofRoom } from "./judging.js";
 import { kindName } from "./kinds.js";
 import { drawPlan } from "./plan.js";
 
@@ -29,7 +30,7 @@ export async function compare(scenes) {
   for (const side of sides) {
     const take = (job) => {
       if (mine !== round || !job.result) return;
-      side.result = job.result;
+      side.result = ofRoom(job.result);
       show();
     };
     try {

@@ -33,7 +33,7 @@ export function wire(opened, kinds) {
   });
   const film = (button, query) =>
     wireFilm(button, say, () => ({
-      content: { scene: played(), measures: [] },
+      content: played(),
       query: { ...query, ...(job && { job }) },
       name: name(),
     }));

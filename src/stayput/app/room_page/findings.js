@@ -11,7 +11,6 @@ export function show(result) {
   fill(part("who"), result.places.length ? result.places.map(place) : el("p", { text: t("noPlaces") }));
   fill(part("ways"), ways(result));
   fill(part("pieces"), pieces(result));
-  fill(part("meetings"), meetings(result));
 }
 
 /** A line with a name, a bar and a chance. */
@@ -37,9 +36,9 @@ function place(one) {
   );
 }
 
-const hitBy = ({ piece, probability, mass_kg: mass, speed_m_s: speed, energy_J: energy }) =>
+const hitBy = ({ piece, probability, by_falling: falling, mass_kg: mass, speed_m_s: speed, energy_J: energy }) =>
   row(
-    t("byPiece", { piece: kindName("furniture", piece) }),
+    t(falling ? "fallsOn" : "slidesAgainst", { piece: kindName("furniture", piece) }),
     probability,
     hint(
       t("impact", {
@@ -63,14 +62,14 @@ function ways(result) {
 }
 
 function pieces(result) {
-  const all = result.pieces.reduce((sum, one) => sum + one.risk, 0);
-  const told = ({ name, risk, probabilities: p }) =>
+  const all = result.pieces.reduce((sum, one) => sum + one.harm_J, 0);
+  const told = ({ name, harm_J: harm, probabilities: p }) =>
     row(
       kindName("furniture", name),
       p.overturned,
       hint(
         [
-          risk > 0 ? t("contributes", { share: percent(risk / all) }) : "",
+          harm > 0 ? t("contributes", { share: percent(harm / all) }) : "",
           inTheWay(result, name),
           t("pieceSlides", { share: percent(p.slid.estimate) }),
           p.device_failed?.estimate > 0 ? t("pieceFails", { share: percent(p.device_failed.estimate) }) : "",
@@ -97,11 +96,4 @@ export function fallingAlone({ pieces, places }) {
     .map(({ name, probabilities: { overturned } }) =>
       t("fallsOften", { piece: kindName("furniture", name), share: percent(overturned.estimate) }),
     );
-}
-
-function meetings({ collisions }) {
-  const told = ({ pieces: pair, probability }) =>
-    row(t("meet", { one: kindName("furniture", pair[0]), other: kindName("furniture", pair[1]) }), probability);
-  const some = collisions.filter(({ probability }) => probability.estimate > 0);
-  return some.length ? [el("h4", { text: t("meetTitle") }), list(some.map(told))] : [];
 }

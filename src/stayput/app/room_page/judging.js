@@ -7,6 +7,30 @@ import { line } from "../verification.js";
 import * as room from "./room.js";
 import { roomBefore } from "./tried.js";
 
+/** A verdict as this page reads it: what happens in the room as it is, and with each of the other options. */
+export function ofRoom(reply) {
+  const bare = reply.options.find((one) => one.overturned_change === null),
+    pieces = [...bare.pieces].sort((a, b) => b.harm_J - a.harm_J || falls(b) - falls(a));
+  return {
+    ...reply,
+    ...bare.people,
+    pieces,
+    typical: { member: bare.typical.motion + 1, sample: bare.typical.sample },
+    changes: reply.options.filter((one) => one !== bare).map(changeOf),
+  };
+}
+
+const falls = (piece) => piece.probabilities.overturned.estimate;
+
+/** An option that makes one change of the room, with what it brings; it names no one thing where it makes more. */
+function changeOf({ label, reason, people, pieces, changes, helps, better, worse, tags }) {
+  const [change] = changes,
+    piece = changes.length === 1 ? pieces.find(({ name }) => name === change.what) : null,
+    { overturned } = piece?.probabilities ?? { overturned: null };
+  const told = { label, sentence: reason, helps, better, worse, tags };
+  return { ...people, ...change, ...told, overturned, overturned_change: piece?.overturned_change ?? null };
+}
+
 const SETTLED = 600; // after the last change [ms]
 const jobs = line(api.room);
 let round = 0,
@@ -67,7 +91,7 @@ async function work() {
   const mine = ++round;
   const take = (job) => {
     if (mine !== round) return;
-    const better = job.result ? { result: job.result, old: false } : {};
+    const better = job.result ? { result: ofRoom(job.result), old: false } : {};
     become({ name: job.state, job, error: null, ...better });
   };
   become({ name: "running", job: null, error: null });

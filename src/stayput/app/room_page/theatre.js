@@ -20,7 +20,7 @@ let outcomes = {},
   shown = null, // {result, room, scene}
   asked = null,
   verdict = null, // the newest on the room, or null
-  typical = null, // the direction of the earthquake that the verdict proposes, where that one is shown
+  typical = null, // which run of the verdict is shown, {member, sample}, where it is the one that it proposes
   own = false, // whether the reader has chosen the earthquake
   flight = null,
   problem = null,
@@ -94,7 +94,7 @@ async function work() {
   }, SLOW);
   part("see").setAttribute("aria-busy", "true");
   try {
-    const content = { scene: played(), measures: [] };
+    const content = played();
     const answer = await patiently(() => api.simulate(content, own.signal), wanted);
     if (!answer || !wanted()) return;
     shown = { result: shake(answer), room: mine, happens: answer.in_room ?? null };
@@ -126,30 +126,21 @@ function tell() {
   if (clock.end && (old || resume)) clock.play(!old);
 }
 
-/** The scene that is shown: the room under the earthquake that the verdict proposes, or as it says itself. */
-export function played() {
-  const scene = room.current();
-  return typical === null || scene.direction !== undefined ? scene : { ...scene, direction: typical };
-}
+/** What is shown: the run of the verdict that it proposes, or the room as it says itself. */
+export const played = () => ({ scene: room.current(), measures: [], sample: typical?.sample ?? null });
 
-/** Takes the newest verdict, or null; where what is shown is not what happens most often, one of those is shown. */
+/** Takes the newest verdict, or null; unless the reader has chosen an earthquake, its typical run is shown. */
 export function judged(result) {
   verdict = result;
   compare();
   const proposed = result?.complete ? result.typical : null,
     scene = room.current();
-  if (!proposed || own || !scene.shaking?.suite || shown?.room !== asked || isTypical()) return;
-  if (typical === proposed.direction_rad && memberOf(scene) === proposed.member) return;
-  typical = proposed.direction_rad;
+  if (!proposed || own || !scene.shaking?.suite || shown?.room !== asked) return;
+  if (typical?.sample === proposed.sample && memberOf(scene) === proposed.member) return;
+  typical = proposed;
   proposing = true;
   room.adjust({ ...scene, shaking: { ...scene.shaking, member: proposed.member } });
 }
-
-/** Whether what is shown is what happens in most runs. */
-const isTypical = () =>
-  !shown.happens ||
-  (shown.happens.hits.length > 0 === verdict.hit.estimate >= 0.5 &&
-    shown.happens.shut_in.length > 0 === verdict.shut_in.estimate >= 0.5);
 
 /** Says what happens in what is shown, beside how often that is so. */
 function compare() {

@@ -11,6 +11,7 @@ from markupsafe import Markup
 import stayput
 from stayput.catalogue import phrase, say
 from stayput.measures.measure import MEANINGS
+from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.page import framed, rendered, write_page
 from stayput.report.room.elevation import SIZES, elevation_scale, elevation_svg, plan_scale, sizes_of
 from stayput.report.room.plan import numbered_plan
@@ -29,8 +30,8 @@ from stayput.rooms.step_words import (
     worth_telling,
 )
 from stayput.rooms.steps import COST_BOUNDS, MARGIN, QUANTILE
-from stayput.rooms.words import motion_phrase, piece_name, piece_within
 from stayput.uncertainty import USUAL, Lognormal
+from stayput.verification.room_words import motion_phrase, piece_name, piece_within
 from stayput.verification.words import shaking_phrase, share_text
 from stayput.wording import joined
 
@@ -139,7 +140,9 @@ def _plan(
         numbers[step.what] = f"{numbers[step.what]}+{number}" if step.what in numbers else f"{number}"
     moves = [step.move for step in plan.steps if step.move is not None]
     drawing = numbered_plan(plan.verdict, moves, language, numbers, PLAN_LETTERS)
-    sheet = PlanSheet(plan.verdict.plan)
+    drawn = plan.verdict.scenario.scene().plan
+    assert drawn is not None
+    sheet = PlanSheet(drawn)
     metres = [size / sheet.scale for size in sheet.size]
     scale = plan_scale(metres, sizes)
     wide = f"{1e3 * metres[0] / scale:.1f}mm"
@@ -214,7 +217,8 @@ def _dead_end(plan: ActionPlan, language: str) -> dict[str, Any] | None:
     if not names:
         return None
     text = partial(_own, language)
-    before = {piece.name: piece.probabilities["overturned"].estimate for piece in plan.verdict.pieces}
+    now = plan.verdict.without.pieces
+    before = {piece.name: piece.probabilities[OVERTURNED].estimate for piece in now}
     drilled = {name: fix for name, fix in plan.drilled.items() if name in plan.unsolved}
     blocks = (
         (text("drilled_on", piece=piece_name(name)), fix, _lines_of_other(fix, before[name], plan))
@@ -247,7 +251,8 @@ def _lines(number: int, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
         yield "where", joined((where(purchase, fix) for purchase in fix.purchases), "action_plan.next")
     sentences: list[Phrase] = []
     if (was := step.overturned) is not None:  # else it is the place of a person that is moved
-        moved = step.alone.overturned[plan.verdict.scenario.names.index(step.what)]
+        body = plan.verdict.scenario.names.index(step.what)
+        moved = step.alone.pieces[body].probabilities[OVERTURNED]
         now = moved if fix is None else fix.overturns
         if fix is not None or now.estimate != was.estimate:
             sentences.append(_overturns(was.estimate, now))

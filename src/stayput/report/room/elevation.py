@@ -12,7 +12,7 @@ from stayput.model.state import wall_faces
 from stayput.report.verdict import svg
 from stayput.report.verdict.drawing import piece_svg
 from stayput.rooms.step_words import elements_of, held_by
-from stayput.rooms.words import piece_name
+from stayput.verification.room_words import piece_name
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence

@@ -27,8 +27,8 @@ from stayput.report.room.sheet import (
     wrapped,
 )
 from stayput.report.verdict import numbers, svg
-from stayput.rooms.events import CELL
-from stayput.rooms.words import change_label, door_name, piece_name, place_name
+from stayput.verification.events import CELL
+from stayput.verification.room_words import door_name, people_in, piece_name, place_name
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -39,8 +39,8 @@ if TYPE_CHECKING:
     from stayput.fragility.probabilities import Probability
     from stayput.model.floor_plan import Door, FloorPlan
     from stayput.report.room.sheet import Box
-    from stayput.rooms.changes import Change
-    from stayput.rooms.verdict import RoomVerdict
+    from stayput.verification.changes import Change
+    from stayput.verification.verdict import Verdict
 
 
 STEPS = 10
@@ -246,35 +246,37 @@ def swatch_svg(look: int) -> str:
     return svg.element("svg", "".join(boxes), viewBox="0 0 80 12", class_="steps", aria_hidden="true")
 
 
-def room_plan(verdict: RoomVerdict, language: str) -> str:
+def room_plan(verdict: Verdict, language: str) -> str:
     """Return the plan of the room with where its pieces come to lie, and who is hit how often."""
 
     def text(key: str, chance: Probability) -> str:
         return say(f"room_report.{key}", language, share=numbers.probability(chance, language))
 
-    notes = {piece.name: text("overturns", piece.probabilities[OVERTURNED]) for piece in verdict.pieces}
-    notes |= {place.place.name: text("is_hit", place.hit) for place in verdict.places}
-    notes |= {door.door.name: text("is_blocked", door.blocked) for door in verdict.doors}
+    people, pieces = people_in(verdict), verdict.without.pieces
+    notes = {piece.name: text("overturns", piece.probabilities[OVERTURNED]) for piece in pieces}
+    notes |= {place.place.name: text("is_hit", place.hit) for place in people.places}
+    notes |= {door.door.name: text("is_blocked", door.blocked) for door in people.doors}
     kinds = [table.kind for table in verdict.scenario.places]
-    return plan_svg(verdict.plan, _pieces(verdict), kinds, language, notes=notes).svg
+    return plan_svg(_plan(verdict), _pieces(verdict), kinds, language, notes=notes).svg
 
 
-def legend(verdict: RoomVerdict, language: str) -> list[tuple[str, str]]:
+def legend(verdict: Verdict, language: str) -> list[tuple[str, str]]:
     """Return the colour and the name of each piece."""
     called = [say(piece_name(name), language) for name in verdict.scenario.names]
     return [(swatch_svg(look), name) for look, name in enumerate(called)]
 
 
-def change_plan(verdict: RoomVerdict, language: str) -> tuple[str, str] | None:
-    """Return a plan with the best change that helps and moves something, and what the change is."""
-    best = next((c.change for c in verdict.changes if c.helps and c.change.at is not None), None)
+def change_plan(verdict: Verdict, language: str) -> tuple[str, str] | None:
+    """Return a plan with the best option that helps and moves something, and what it is."""
+    best = next((option for option in verdict.others if option.helps and option.option.moved), None)
     if best is None:
         return None
-    return numbered_plan(verdict, [best], language).svg, change_label(best, verdict, language)
+    moves = [change for change in verdict.changes(best) if change.at is not None]
+    return numbered_plan(verdict, moves, language).svg, verdict.label(best, language)
 
 
 def numbered_plan(
-    verdict: RoomVerdict,
+    verdict: Verdict,
     moves: Iterable[Change],
     language: str,
     numbered: Mapping[str, str] | None = None,
@@ -284,7 +286,7 @@ def numbered_plan(
 
     Parameters
     ----------
-    verdict : RoomVerdict
+    verdict : Verdict
         The room.
     moves : iterable of Change
         What is moved.
@@ -296,7 +298,7 @@ def numbered_plan(
         Size of the letters of names [px].
     """
     pieces = [replace(piece, covers=None) for piece in _pieces(verdict)]
-    plan, names = verdict.plan, verdict.scenario.names
+    plan, names = _plan(verdict), verdict.scenario.names
     moved: list[tuple[NDArray[np.float64], NDArray[np.float64]]] = []
     for change in moves:
         assert change.at is not None
@@ -319,10 +321,17 @@ def numbered_plan(
     return plan_svg(plan, pieces, kinds, language, moved=moved, numbered=numbered, letters=letters)
 
 
-def _pieces(verdict: RoomVerdict) -> list[DrawnPiece]:
+def _pieces(verdict: Verdict) -> list[DrawnPiece]:
     """Return the pieces in the order of the file, in which what stands on another comes after it."""
-    verdicts, scenario = {piece.name: piece for piece in verdict.pieces}, verdict.scenario
+    each = zip(verdict.without.pieces, verdict.scenario.scene(verdict.without.option).pieces, strict=True)
     return [
-        DrawnPiece(name, look, verdicts[name].outline, piece.heading, verdicts[name].covers)
-        for look, (name, piece) in enumerate(zip(scenario.names, scenario.scene().pieces, strict=True))
+        DrawnPiece(result.name, look, result.zones.outline, piece.heading, result.zones.covers)
+        for look, (result, piece) in enumerate(each)
+        if result.zones is not None
     ]
+
+
+def _plan(verdict: Verdict) -> FloorPlan:
+    plan = verdict.scenario.scene(verdict.without.option).plan
+    assert plan is not None
+    return plan

@@ -13,26 +13,31 @@ from stayput.montecarlo.counting import OVERTURNED, SLID
 from stayput.report.page import rendered, write_page
 from stayput.report.room.plan import change_plan, legend, room_plan
 from stayput.report.verdict import numbers
-from stayput.report.verdict.assumptions import assumptions_of_room
+from stayput.report.verdict.assumptions import assumptions
 from stayput.report.verdict.html import shared_content
 from stayput.report.verdict.markdown import plain, table
-from stayput.rooms.events import PASSAGE
-from stayput.rooms.verdict import DAY_HOURS
-from stayput.rooms.words import (
+from stayput.verification.events import PASSAGE
+from stayput.verification.people import DAY_HOURS
+from stayput.verification.room_words import (
     best_sentence,
-    change_label,
     door_name,
     motion_phrase,
+    people_in,
+    piece_changed,
     piece_name,
+    pieces_in,
     place_name,
     tags,
 )
+from stayput.wording import with_aside
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from pathlib import Path
 
     from stayput.fragility.probabilities import Probability
-    from stayput.rooms.verdict import RoomVerdict
+    from stayput.verification.people import HitVerdict
+    from stayput.verification.verdict import OptionVerdict, Verdict
 
 
 KINDS = ("better", "chance", "worse")
@@ -47,14 +52,20 @@ class TextTable(NamedTuple):
     below: str = ""
 
 
-def sentences(verdict: RoomVerdict, language: str) -> tuple[str, ...]:
+def sentences(verdict: Verdict, language: str) -> tuple[str, ...]:
     """Return what is said above the tables."""
     best = best_sentence(verdict, language)
     return (verdict.sentence(language), *([best] if best else []))
 
 
-def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
-    """Return who is hit by what, which ways out are blocked, and what single changes bring."""
+def hit_by(hit: HitVerdict) -> str:
+    """Return the key of how a piece hits somebody: it falls on them, or slides against them."""
+    return "by_falling" if hit.by_falling else "by_sliding"
+
+
+def tables(verdict: Verdict, options: Sequence[OptionVerdict], language: str) -> tuple[TextTable, ...]:
+    """Return who is hit by what, which ways out are blocked, and what some of the options bring."""
+    people = people_in(verdict)
 
     def texts(*keys: str) -> tuple[str, ...]:
         return tuple(say(f"rooms.{key}", language) for key in keys)
@@ -63,28 +74,30 @@ def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
         return numbers.with_interval(value, language)
 
     hits: list[tuple[str, ...]] = []
-    for place in verdict.places:
+    for place in people.places:
         shares = (numbers.share(share, language) for share in (place.by_day, place.by_night))
         name = say(place_name(place.place), language)
         hits.append((name, *texts("any_piece"), chance(place.hit), *shares, "", "", ""))
         for hit in place.by:
             strength = numbers.speed(hit.speed.median), numbers.energy(hit.energy.median)
-            name = say(piece_name(hit.piece), language)
+            way = say(f"rooms.{hit_by(hit)}", language)
+            name = with_aside(say(piece_name(hit.piece), language), way, language)
             hits.append(("", name, chance(hit.probability), "", "", *strength, numbers.mass(hit.mass)))
-    ways = [(phrase("rooms.door_blocked", door=door_name(door.door)), door.blocked) for door in verdict.doors]
-    shut_in = verdict.places if any(door.door.way_out for door in verdict.doors) else ()
+    ways = [(phrase("rooms.door_blocked", door=door_name(door.door)), door.blocked) for door in people.doors]
+    shut_in = people.places if any(door.door.way_out for door in people.doors) else ()
     ways += [(phrase("rooms.place_shut_in", place=place_name(p.place)), p.shut_in) for p in shut_in]
     changes = [
         (
-            change_label(change.change, verdict, language),
-            chance(change.hit),
-            numbers.change(change.hit_change, language),
-            chance(change.shut_in),
-            "" if (overturned := verdict.piece_changed(change)) is None else chance(overturned[0]),
+            verdict.label(option, language),
+            chance(option.people.hit.chance),
+            numbers.change(option.people.hit.change, language),
+            chance(option.people.shut_in.chance),
+            "" if (overturned := piece_changed(option, verdict)) is None else chance(overturned[0]),
         )
-        for change in verdict.changes
+        for option in options
+        if option.people is not None
     ]
-    stuck = any(door.at_rest for door in verdict.doors)
+    stuck = any(door.at_rest for door in people.doors)
     return (
         TextTable(
             texts("who", "by", "chance", "day", "night", "speed", "energy", "mass"),
@@ -100,19 +113,19 @@ def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
     )
 
 
-def simulations_of_room(verdict: RoomVerdict, language: str) -> str:
+def simulations_of_room(verdict: Verdict, language: str) -> str:
     """Return how many runs the verdict rests on."""
     motions = motion_phrase(verdict) or phrase("rooms.motions", count=verdict.motions)
     runs = f"{verdict.runs:,}"
     return say("rooms.simulations", language, runs=runs, motions=motions, samples=verdict.samples)
 
 
-def room_markdown(verdict: RoomVerdict, language: str = "en") -> str:
+def room_markdown(verdict: Verdict, language: str = "en") -> str:
     """Return a verdict on a room as a text in Markdown, in "en" or "ja"."""
     first, *others = sentences(verdict, language)
     lines = [f"# {plain(verdict.scenario.title or say('rooms.report', language))}", f"\n**{plain(first)}**"]
     lines += [f"\n{plain(sentence)}" for sentence in others]
-    for each in tables(verdict, language):
+    for each in tables(verdict, verdict.others, language):
         if each.rows:
             lines += ["", *table(each.headings, each.rows), *([f"\n{each.below}"] if each.below else [])]
     lines += [f"\n{simulations_of_room(verdict, language)}", f"\nstayput {stayput.__version__}"]
@@ -123,12 +136,12 @@ SHEETS = ("verdict/report.css", "canvas/plan.css", "room/plan.css", "room/room.c
 """Style sheets of the report: those of a verdict, of plans, of their figures, and its own."""
 
 
-def write_room_report(verdict: RoomVerdict, path: str | Path, language: str = "en") -> Path:
+def write_room_report(verdict: Verdict, path: str | Path, language: str = "en") -> Path:
     """Write the report of a verdict on a room: one HTML file that loads nothing from elsewhere.
 
     Parameters
     ----------
-    verdict : RoomVerdict
+    verdict : Verdict
         The verdict.
     path : str or Path
         The file, whose name ends in .html.
@@ -148,13 +161,15 @@ def write_room_report(verdict: RoomVerdict, path: str | Path, language: str = "e
     return write_page(path, language, lambda: room_html(verdict, language))
 
 
-def room_html(verdict: RoomVerdict, language: str = "en") -> str:
+def room_html(verdict: Verdict, language: str = "en") -> str:
     """Return the text of a report; see `write_room_report`."""
     headline, *others = sentences(verdict, language)
+    people = people_in(verdict)
     moved = change_plan(verdict, language)
     kind = say("rooms.report", language)
     content = {
-        **shared_content(verdict, "room_report", kind, SHEETS, assumptions_of_room(verdict), language),
+        **shared_content(verdict, "room_report", kind, SHEETS, assumptions(verdict), language),
+        "people": people,
         "headline": headline,
         "others": others,
         "simulations": simulations_of_room(verdict, language),
@@ -162,7 +177,7 @@ def room_html(verdict: RoomVerdict, language: str = "en") -> str:
         "legend": [(Markup(swatch), name) for swatch, name in legend(verdict, language)],
         "hours": {"day": DAY_HOURS, "night": 24.0 - DAY_HOURS},
         "passage": PASSAGE,
-        "ways_out": any(door.door.way_out for door in verdict.doors),
+        "ways_out": any(door.door.way_out for door in people.doors),
         "places": [
             {
                 "name": say(place_name(place.place), language),
@@ -176,7 +191,7 @@ def room_html(verdict: RoomVerdict, language: str = "en") -> str:
                 ],
                 "shut_in": place.shut_in,
             }
-            for place in verdict.places
+            for place in people.places
         ],
         "hits": hit_rows(verdict, language),
         "doors": [
@@ -188,34 +203,34 @@ def room_html(verdict: RoomVerdict, language: str = "en") -> str:
                 "blocked": door.blocked,
                 "at_rest": door.at_rest,
             }
-            for door in verdict.doors
+            for door in people.doors
         ],
         "pieces": piece_rows(verdict, language),
-        "collisions": collision_rows(verdict, language),
         "changes": change_rows(verdict, language),
         "moved": None if moved is None else (Markup(moved[0]), moved[1]),
     }
     return rendered("room/room.html", content)
 
 
-def hit_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
-    """Return what hits each place, the most frequent first: median and 90 % quantile of speed and energy."""
+def hit_rows(verdict: Verdict, language: str) -> list[dict[str, Any]]:
+    """Return what hits each place, the most harmful first: median and 90 % quantile of speed and energy."""
     return [
         {
             "place": say(place_name(place.place), language),
             "piece": say(piece_name(hit.piece), language),
+            "way": say(f"rooms.{hit_by(hit)}", language),
             "chance": hit.probability,
             "speed": (numbers.speed(hit.speed.median), numbers.speed(hit.speed.p90)),
             "energy": (numbers.energy(hit.energy.median), numbers.energy(hit.energy.p90)),
             "mass": numbers.mass(hit.mass),
         }
-        for place in verdict.places
+        for place in people_in(verdict).places
         for hit in place.by
     ]
 
 
-def piece_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
-    """Return the pieces, those that contribute most first, with median and 90 % quantile of their slides."""
+def piece_rows(verdict: Verdict, language: str) -> list[dict[str, Any]]:
+    """Return the pieces, the most harmful first, with median and 90 % quantile of their slides."""
     room = verdict.scenario.surroundings()
     return [
         {
@@ -223,44 +238,34 @@ def piece_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
             "overturned": piece.probabilities[OVERTURNED],
             "slid": piece.probabilities[SLID],
             "slide": numbers.slides(piece.slide, room, language),
-            "risk": numbers.share(piece.risk, language) if verdict.places else numbers.NO_NUMBER,
-            "engine": say(f"room_report.{'in_plane' if piece.in_plane else 'in_space'}", language),
+            "harm": numbers.energy(piece.harm) if people_in(verdict).places else numbers.NO_NUMBER,
         }
-        for piece in verdict.pieces
+        for piece in pieces_in(verdict)
     ]
 
 
-def collision_rows(verdict: RoomVerdict, language: str) -> list[tuple[str, str, Probability]]:
-    """Return the pairs of pieces that meet, the most frequent first."""
-    rows = [
-        (say(piece_name(first), language), say(piece_name(second), language), chance)
-        for (first, second), chance in verdict.collisions.items()
-        if chance.fell
-    ]
-    return sorted(rows, key=lambda row: -row[2].estimate)
-
-
-def change_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
+def change_rows(verdict: Verdict, language: str) -> list[dict[str, Any]]:
     """Return the single changes: those that clearly help, the best first, then the others.
 
     Their differences are from the room as it is; only a piece has a chance of overturning.
     """
     change = partial(numbers.change, language=language)
     rows: list[dict[str, Any]] = []
-    for result in verdict.changes:
-        overturned = verdict.piece_changed(result)
+    for result in verdict.others:
+        people, overturned = result.people, piece_changed(result, verdict)
+        assert people is not None
         rows.append(
             {
-                "label": change_label(result.change, verdict, language),
+                "label": verdict.label(result, language),
                 "kind": "better" if result.helps else "worse" if result.worse else "chance",
                 "tags": [say(tag, language) for tag in tags(result)],
-                "hit": result.hit,
-                "hit_change": change(result.hit_change),
-                "shut_in": result.shut_in,
-                "shut_in_change": change(result.shut_in_change),
+                "hit": people.hit.chance,
+                "hit_change": change(people.hit.change),
+                "shut_in": people.shut_in.chance,
+                "shut_in_change": change(people.shut_in.change),
                 "overturned": None if overturned is None else overturned[0],
                 "overturned_change": "" if overturned is None else change(overturned[1]),
-                "risk": numbers.share(result.risk, language),
+                "risk": numbers.share(people.risk, language),
             }
         )
     return sorted(rows, key=lambda row: KINDS.index(row["kind"]))

@@ -12,8 +12,8 @@ from stayput.measures import TensionPole
 from stayput.measures.wall import WallDevice
 from stayput.model.parameters import GIVEN, parameter_of
 from stayput.report.names import named
-from stayput.rooms.events import CELL, PASSAGE
 from stayput.scenario.tables import floor_of
+from stayput.verification.events import CELL, PASSAGE
 from stayput.verification.options import building_tag, floor_tag, furniture_tag
 
 if TYPE_CHECKING:
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.measures import Measure
     from stayput.model.room import Ceiling, Room, Wall
-    from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario import Scenario
     from stayput.scenario.measures import UncertaintyTable
     from stayput.verification import Verdict
@@ -55,6 +54,8 @@ def told(assumptions: Iterable[Assumption], language: str) -> list[tuple[str, st
 def assumptions(verdict: Verdict) -> list[Assumption]:
     """Return the assumptions of a verdict, apart from the parameters of the measures."""
     scenario = verdict.scenario
+    if scenario.plan is not None:
+        return _of_a_room(verdict)
     stands = [_furniture(scenario)] if scenario.alone else [*_pieces(scenario)]
     between: list[Assumption] = []
     if not scenario.alone:
@@ -72,13 +73,13 @@ def assumptions(verdict: Verdict) -> list[Assumption]:
     ]
 
 
-def assumptions_of_room(verdict: RoomVerdict) -> list[Assumption]:
+def _of_a_room(verdict: Verdict) -> list[Assumption]:
     """Return the assumptions of a verdict on a room, those of its model first."""
     scenario = verdict.scenario
     values = {"passage": PASSAGE, "cell": 100.0 * CELL}
-    measures = [*scenario.stated.measures, *(result.change.measure for result in verdict.changes)]
+    measures = [measure for result in verdict.options for measure in result.option.measures]
     return [
-        *(_limit(f"room_report.limit_{key}", **values) for key in ("alone", "persons", "passage")),
+        *(_limit(f"room_report.limit_{key}", **values) for key in ("persons", "passage")),
         *(_limit(f"report.limit_{key}") for key in ("contacts", "devices")),
         *settlement_assumptions(scenario),
         *_rolling(scenario),
@@ -137,7 +138,7 @@ def _furniture(scenario: Scenario) -> Assumption:
 
 
 def _room(
-    scenario: Scenario, room: Room, measures: Sequence[Measure | None], *, gaps: bool = True
+    scenario: Scenario, room: Room, measures: Sequence[Measure], *, gaps: bool = True
 ) -> Iterator[Assumption]:
     """Yield the floor, the gaps to the walls, the ceiling, and what measures on these meet there."""
     table, floor = scenario.room.floor, room.floor

@@ -1,4 +1,4 @@
-"""Verdicts on one piece and on several as plain values, for JSON files and the app's replies."""
+"""Verdicts as plain values, for JSON files and the app's replies."""
 
 from __future__ import annotations
 
@@ -17,7 +17,6 @@ from stayput.report.verdict.assumptions import assumptions, told
 from stayput.report.verdict.tables import contents_data
 from stayput.verification.notes import everyday_cases, notes
 from stayput.verification.options import inputs
-from stayput.verification.words import reason
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -28,11 +27,11 @@ if TYPE_CHECKING:
     from stayput.measures import Measure
     from stayput.montecarlo.counting import Quantiles
     from stayput.report.verdict.assumptions import Assumption
-    from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario import Scenario
     from stayput.scenario.option import Option
     from stayput.verification import Verdict
     from stayput.verification.notes import Estimates
+    from stayput.verification.people import People
     from stayput.verification.verdict import DeviceSummary, OptionVerdict, PieceVerdict
 
 
@@ -44,7 +43,7 @@ def json_text(data: dict[str, Any]) -> str:
     return json.dumps(data, allow_nan=False, ensure_ascii=False, indent=2) + "\n"
 
 
-def head_data(verdict: Verdict | RoomVerdict) -> dict[str, Any]:
+def head_data(verdict: Verdict) -> dict[str, Any]:
     """Return the version, the title, and the verdict in one sentence by the language."""
     return {
         "stayput": stayput.__version__,
@@ -53,7 +52,7 @@ def head_data(verdict: Verdict | RoomVerdict) -> dict[str, Any]:
     }
 
 
-def shaking_data(verdict: Verdict | RoomVerdict) -> dict[str, Any]:
+def shaking_data(verdict: Verdict) -> dict[str, Any]:
     """Return how strong the shaking is."""
     return {
         "jma_intensity": number(verdict.intensity),
@@ -167,15 +166,15 @@ def everyday_data(scenario: Scenario) -> list[dict[str, Any]]:
 
 def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
     change, installed, scenario = result.change, result.installed, verdict.scenario
-    graded = inputs(result.option, scenario) if scenario.alone else ()
     return {
         "rank": result.rank,
         "name": result.option.name,
-        "label": by_language(result.option.label(scenario.names)),
-        "reason": in_both(partial(reason, result, verdict)),
-        "grade": verdict.grade(result).value if graded else None,
+        "label": in_both(partial(verdict.label, result)),
+        "reason": in_both(partial(verdict.reason, result)),
+        "grade": verdict.grade(result).value,
         "inputs": [
-            {**by_language(item.label), "grade": item.grade.value, "tag": item.tag} for item in graded
+            {**by_language(item.label), "grade": item.grade.value, "tag": item.tag}
+            for item in inputs(result.option, scenario)
         ],
         **_in_place(result.option, scenario),
         "probabilities": {event: _probability(value) for event, value in result.probabilities.items()},
@@ -191,6 +190,9 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
         "peak_slide_m": quantiles_data(result.slide),
         "peak_tilt_rad": quantiles_data(result.tilt),
         "pieces": [_piece(piece, body in scenario.counted) for body, piece in enumerate(result.pieces)],
+        "people": None if result.people is None else people_data(result.people),
+        **attributes(result, "helps", "better", "worse"),
+        "typical": {"motion": result.typical.motion, "sample": result.typical.sample},
         "devices": [_device(device) for device in result.devices],
         "contents": None if result.contents is None else contents_data(result.contents),
         "capacities": [
@@ -210,6 +212,9 @@ def _in_place(option: Option, scenario: Scenario) -> dict[str, Any]:
     held = zip(scenario.names, option.on, strict=True)
     return {
         "joined": option.joined,
+        "moved": [
+            {"what": move.what, "at_m": [*move.at], "heading_rad": move.heading} for move in option.moved
+        ],
         "measures": {name: [_measure(measure) for measure in measures] for name, measures in held},
     }
 
@@ -219,8 +224,51 @@ def _piece(piece: PieceVerdict, counts: bool) -> dict[str, Any]:
         "name": piece.name,
         "counts": counts,
         "probabilities": {event: _probability(chance) for event, chance in piece.probabilities.items()},
+        "overturned_change": None if piece.change is None else interval_data(piece.change),
+        **attributes(piece, "falls"),
+        "harm_J": number(piece.harm),
         "peak_slide_m": quantiles_data(piece.slide),
         "peak_tilt_rad": quantiles_data(piece.tilt),
+    }
+
+
+def people_data(people: People) -> dict[str, Any]:
+    """Return what happens to the people of a room as plain values."""
+    outlooks = {name: getattr(people, name) for name in ("hit", "shut_in", "blocked")}
+    return {
+        **{name: interval_data(outlook.chance) for name, outlook in outlooks.items()},
+        **{
+            f"{name}_change": None if outlook.change is None else interval_data(outlook.change)
+            for name, outlook in outlooks.items()
+        },
+        "risk": number(people.risk),
+        "harm_J": number(people.harm),
+        "places": [
+            {
+                "name": place.place.name,
+                "hit": interval_data(place.hit),
+                "hit_by_day": number(place.by_day),
+                "hit_at_night": number(place.by_night),
+                "shut_in": interval_data(place.shut_in),
+                "shut_in_at_rest": place.shut_in_at_rest,
+                "by": [
+                    {
+                        "piece": hit.piece,
+                        "mass_kg": number(hit.mass),
+                        "probability": interval_data(hit.probability),
+                        "by_falling": hit.by_falling,
+                        "speed_m_s": quantiles_data(hit.speed),
+                        "energy_J": quantiles_data(hit.energy),
+                    }
+                    for hit in place.by
+                ],
+            }
+            for place in people.places
+        ],
+        "doors": [
+            {"name": door.door.name, "blocked": interval_data(door.blocked), "blocked_at_rest": door.at_rest}
+            for door in people.doors
+        ],
     }
 
 

@@ -37,7 +37,6 @@ if TYPE_CHECKING:
 
     from stayput.measures import Measure
     from stayput.report.verdict.assumptions import Assumption
-    from stayput.rooms.verdict import RoomVerdict
     from stayput.verification import Verdict
     from stayput.verification.verdict import OptionVerdict
 
@@ -75,7 +74,7 @@ def report_html(verdict: Verdict, language: str = "en") -> str:
 
 
 def shared_content(
-    verdict: Verdict | RoomVerdict,
+    verdict: Verdict,
     texts: str,
     kind: str,
     sheets: Iterable[str],
@@ -86,7 +85,7 @@ def shared_content(
 
     Parameters
     ----------
-    verdict : Verdict or RoomVerdict
+    verdict : Verdict
         The verdict.
     texts : str
         The part of the catalogue that has the page's own texts.

@@ -5,16 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from stayput.catalogue import phrase, say
-from stayput.catalogue.names import ANY_PIECE
-from stayput.measures.element import device_results
-from stayput.mechanics.runner import shaking, trace
-from stayput.model.flat_fields import case_columns
 from stayput.montecarlo.counting import OVERTURNED
-from stayput.montecarlo.hazard import Hazard
-from stayput.montecarlo.sampling import drawn_held, draws
-from stayput.montecarlo.several import draws_of_several
-from stayput.montecarlo.several import replay as run_again
-from stayput.motion.suites.suite import Suite
 from stayput.report.animation import film_of, player_page
 from stayput.report.figures import embedded
 from stayput.report.fonts import drawable
@@ -24,20 +15,13 @@ from stayput.report.plot import plot_run
 from stayput.report.summary import sentences_of_piece
 from stayput.report.verdict import numbers
 from stayput.report.verdict.numbers import word
-from stayput.simulation.case import Case, run_of
-from stayput.simulation.space import simulate_held
+from stayput.verification.replays import drawn_run
 from stayput.verification.words import title
 
 if TYPE_CHECKING:
     from stayput.montecarlo.counting import Member
-    from stayput.motion.record import Motion
-    from stayput.scenario.option import Option
     from stayput.simulation.run import Run
     from stayput.verification import Verdict
-    from stayput.verification.verdict import OptionVerdict
-
-MOST_EVENTS = 2000
-"""Events of a run in the plane that its plot marks: the first ones, and the last."""
 
 
 def pairs_of(verdict: Verdict, language: str) -> list[dict[str, Any]]:
@@ -84,15 +68,11 @@ def pairs_of(verdict: Verdict, language: str) -> list[dict[str, Any]]:
 def _sides(verdict: Verdict, member: Member, language: str) -> list[tuple[str, Run]]:
     """Return labels and runs of what is shown side by side: no measure, and the best one, if it is one."""
     scenario = verdict.scenario
-    sides: list[tuple[str, Run]] = []
-    on_floor = floor_motion(verdict, scenario.ground(), member) if scenario.alone else None
-    for result in [verdict.without, verdict.best][: 1 + bool(verdict.best.option.count)]:
-        if on_floor is None:
-            run = replay_of_several(verdict, result, member)
-        else:
-            run = replay(verdict, result.option, member, *on_floor)
-        sides.append((title(result.option, verdict, language), run))
-    return sides
+    shown = [verdict.without, verdict.best][: 1 + bool(verdict.best.option.count)]
+    return [
+        (title(result.option, verdict, language), drawn_run(scenario, result.option, member))
+        for result in shown
+    ]
 
 
 def place_of_the_measure(verdict: Verdict, held: Run, language: str) -> str:
@@ -127,80 +107,4 @@ def motion_told(
         start=f"{shown[0]:.1f}",
         end=f"{shown[1]:.1f}",
         duration=f"{run.motion.duration:g}",
-    )
-
-
-def floor_motion(verdict: Verdict, ground: Suite, member: Member) -> tuple[Motion, float]:
-    """Return a member's motion under the furniture, and the factor on it.
-
-    Parameters
-    ----------
-    verdict : Verdict
-        The verdict.
-    ground : Suite
-        The motions of the ground.
-    member : Member
-        Which of them.
-    """
-    shaken = verdict.scenario.shaking
-    one_motion = Suite((ground[member.motion],))
-    hazard = Hazard.of(verdict.scenario, ground=one_motion)
-    strength = shaken.strength
-    drawn = None if strength is None else strength.drawn(len(ground), verdict.seed)[member.motion]
-    floors = hazard.stated(drawn, shaken.scale, verdict.seed)
-    return floors.motions[0], float(floors.scales[0])
-
-
-def replay(verdict: Verdict, option: Option, member: Member, motion: Motion, scale: float) -> Run:
-    """Run one of the runs behind a verdict again: the same bits, now with its histories.
-
-    Parameters
-    ----------
-    verdict : Verdict
-        The verdict.
-    option : Option
-        The measures; another option's run of the same member met the same motion and the same draw.
-    member : Member
-        Which motion, and which draw.
-    motion, scale : Motion, float
-        Its motion of the floor and the factor on it; see `floor_motion`.
-    """
-    scenario, initial = verdict.scenario, verdict.scenario.initial.state()
-    gravity, stated, scaled = scenario.gravity, scenario.uncertainty, motion.scaled(scale)
-    motions, samples = member.motion + 1, member.sample + 1
-    table = draws(motions, samples, verdict.seed, as_stated=stated.as_stated, quantities=stated.quantities)
-    body, room, draw = scenario.piece.body(), scenario.room.room(), table[member.motion][member.sample]
-    held, elements = drawn_held(body, room, option.measures, draw, scenario.dimensions)
-    if scenario.dimensions == 3:
-        run = simulate_held(held, elements, scaled, initial, gravity)
-    else:
-        row = case_columns(held.body, held.room, initial, gravity)
-        row["scale"] = scale
-        traced = trace(row[0], shaking(motion.x, motion.z, motion.dt, 0), elements)
-        results = device_results(held, elements, traced.devices, traced.forces, held.body.mass)
-        case = Case(held.body, held.room, scaled, initial=initial, gravity=gravity)
-        run = run_of(case, traced, held, results, MOST_EVENTS)
-    return run.named([scenario.piece.name or scenario.piece.preset or ANY_PIECE[0]])
-
-
-def replay_of_several(verdict: Verdict, result: OptionVerdict, member: Member) -> Run:
-    """Run a member of an option again, with its histories."""
-    scenario = verdict.scenario
-    hazard, stated = Hazard.of(scenario), scenario.uncertainty
-    floors = hazard.stated_by(scenario)
-    drawn = draws_of_several(
-        scenario.names,
-        len(hazard.ground),
-        verdict.samples,
-        verdict.seed,
-        as_stated=stated.as_stated,
-        quantities=stated.quantities,
-        direction=scenario.direction or 0.0,
-    )
-    return run_again(
-        scenario.scene(result.option),
-        drawn[member.motion][member.sample],
-        floors.motions[member.motion],
-        float(floors.scales[member.motion]),
-        scenario.gravity,
     )

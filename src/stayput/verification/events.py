@@ -1,4 +1,4 @@
-"""What happens in a room: who is hit by what, what collides, which doors open, and who gets out.
+"""What happens in a room: who is hit by what, which doors open, and who gets out.
 
 The floor is a grid of square cells. A person passes where the nearest obstacle is half of `PASSAGE` away.
 """
@@ -13,8 +13,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from scipy import ndimage
 
-from stayput.rooms.contact import contact_with_place, meet
-from stayput.rooms.tracks import Track, tracks_of
+from stayput.mechanics.columns import OVERTURNED_OUTCOME
+from stayput.montecarlo.scenes import Seen
+from stayput.simulation.tracks import at_rest, tracks_of
+from stayput.verification.contact import contact_with_place
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -22,7 +24,11 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
+    from stayput.montecarlo.runs import Runs
+    from stayput.simulation.piece import Piece
     from stayput.simulation.run import Run
+    from stayput.simulation.tracks import Track
+    from stayput.verification.contact import RoomContact
 
 _images: Any = ndimage  # its results depend on its arguments, which its types do not tell
 
@@ -167,152 +173,95 @@ class Ways:
         )
 
 
-class Hits(NamedTuple):
-    """Contacts of one piece with one place, by run; NaN where there is none.
+class Watcher:
+    """Looks at what happens in runs of a room: who is hit, which doors are blocked, who is shut in.
 
-    Parameters
-    ----------
-    time, speed, energy : ndarray, shape (runs,)
-        As of `stayput.rooms.contact.RoomContact` [s, m/s, J].
+    What a piece does to a place, and equal floors, are looked at once.
     """
 
-    time: NDArray[np.float64]
-    speed: NDArray[np.float64]
-    energy: NDArray[np.float64]
-
-    @property
-    def happened(self) -> NDArray[np.bool_]:
-        """Whether there is one."""
-        return ~np.isnan(self.time)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Events:
-    """What happened in the runs of a room.
-
-    Parameters
-    ----------
-    hits : tuple of tuple of Hits
-        Of each place by each piece.
-    blocked : ndarray of bool, shape (doors, runs)
-        Whether a door is blocked at the end.
-    shut_in : ndarray of bool, shape (places, runs)
-        Whether no way leads out from a place at the end; never in a room without a way out.
-    """
-
-    hits: tuple[tuple[Hits, ...], ...]
-    blocked: NDArray[np.bool_]
-    shut_in: NDArray[np.bool_]
-
-    @property
-    def runs(self) -> int:
-        """How many runs there are."""
-        return self.shut_in.shape[1]
-
-    def hit(self, place: int) -> NDArray[np.bool_]:
-        """Return whether a place is hit by any piece, shape (runs,)."""
-        return np.any([hits.happened for hits in self.hits[place]], axis=0)
-
-
-def hits_of(place: PersonPlace, tracks: Sequence[Track]) -> Hits:
-    """Return the contacts of a piece, whose tracks are given by run, with a place."""
-    contacts = np.full((3, len(tracks)), np.nan)
-    for run, track in enumerate(tracks):
-        contact = contact_with_place(track, place)
-        if contact is not None:
-            contacts[:, run] = contact
-    return Hits(*contacts)
-
-
-class EndOfRuns:
-    """Which doors are blocked and who is shut in at the end of runs; equal floors are looked at once.
-
-    Parameters
-    ----------
-    plan : FloorPlan
-        The room.
-    """
-
-    def __init__(self, plan: FloorPlan) -> None:
-        self.plan = plan
-        self.ways = Ways(plan)
-        self._known: dict[bytes, tuple[list[bool], list[bool]]] = {}
+    def __init__(self) -> None:
+        self._ways: dict[str, Ways] = {}
+        self._ends: dict[tuple[str, bytes], tuple[list[bool], list[bool]]] = {}
         self._covered: dict[int, tuple[Track, NDArray[np.bool_]]] = {}
+        self._contacts: dict[tuple[int, PersonPlace], tuple[Track, RoomContact | None]] = {}
 
-    def of(self, tracks: Sequence[Track]) -> tuple[list[bool], list[bool]]:
+    def __call__(self, plan: FloorPlan, tracks: Sequence[Track]) -> Seen:
+        """Return what happened in a run, where the pieces had these tracks."""
+        hits = np.full((len(plan.places), len(tracks), 3), np.nan)
+        for at, place in enumerate(plan.places):
+            for body, track in enumerate(tracks):
+                contact = self._contact(track, place)
+                if contact is not None:
+                    hits[at, body] = contact
+        blocked, shut_in = self.ends(plan, tracks)
+        return Seen(hits, np.array(blocked, np.bool_), np.array(shut_in, np.bool_))
+
+    def ends(self, plan: FloorPlan, tracks: Sequence[Track]) -> tuple[list[bool], list[bool]]:
         """Return which doors are blocked and who is shut in where the pieces of a run come to lie."""
-        covered = np.zeros((len(self.ways.x), len(self.ways.y)), np.bool_)
+        name, ways = self.ways(plan)
+        covered = np.zeros((len(ways.x), len(ways.y)), np.bool_)
         for track in tracks:
-            covered |= self.covered_by(track)
-        key = np.packbits(covered).tobytes()
-        if key not in self._known:
-            self._known[key] = self.ways.shut_in(covered)
-        return self._known[key]
+            covered |= self.covered_by(ways, track)
+        key = name, np.packbits(covered).tobytes()
+        if key not in self._ends:
+            self._ends[key] = ways.shut_in(covered)
+        return self._ends[key]
 
-    def of_all(self, tracks: Sequence[Sequence[Track]]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        """Return the same of all runs, shape (doors, runs) and (places, runs), from tracks [body][run]."""
-        ends = [self.of(run) for run in zip(*tracks, strict=True)]
-        blocked, shut_in = (
-            np.array([pair[i] for pair in ends], np.bool_).reshape(len(ends), -1).T for i in (0, 1)
-        )
-        return blocked, shut_in
+    def ways(self, plan: FloorPlan) -> tuple[str, Ways]:
+        """Return the floor of a room, and what it is known by."""
+        name = repr(plan)
+        return name, self._ways.setdefault(name, Ways(plan))
 
-    def covered_by(self, track: Track) -> NDArray[np.bool_]:
+    def covered_by(self, ways: Ways, track: Track) -> NDArray[np.bool_]:
         """Return which cells of the floor a piece covers at the end of a run, shape (nx, ny)."""
-        # the track is kept with its floor, so that its identity is not another's
         known = self._covered.get(id(track))
-        if known is None:
-            known = track, self.ways.covered([track.outline(len(track.sample) - 1)])
+        if known is None:  # the track is kept with it, so that the id stays its own
+            known = track, ways.covered([track.outline(len(track.sample) - 1)])
             self._covered[id(track)] = known
         return known[1]
 
-
-def events_of(ends: EndOfRuns, tracks: Sequence[Sequence[Track]]) -> Events:
-    """Return what happened.
-
-    Parameters
-    ----------
-    ends : EndOfRuns
-        Of the plan.
-    tracks : sequence of sequence of Track, [body][run]
-        Where the pieces were.
-    """
-    hits = tuple(tuple(hits_of(place, piece_tracks) for piece_tracks in tracks) for place in ends.plan.places)
-    return Events(hits, *ends.of_all(tracks))
+    def _contact(self, track: Track, place: PersonPlace) -> RoomContact | None:
+        key = id(track), place
+        if key not in self._contacts:
+            self._contacts[key] = track, contact_with_place(track, place)
+        return self._contacts[key][1]
 
 
-def collisions(tracks: Sequence[Sequence[Track]]) -> dict[tuple[int, int], NDArray[np.bool_]]:
-    """Return which pairs of pieces come together in which runs, shape (runs,); without pairs that never do.
-
-    The pieces ran each by themselves: what they do after they have met is not known.
-    """
-    met_by: dict[tuple[int, int], NDArray[np.bool_]] = {}
-    for b in range(len(tracks)):
-        for a in range(b):
-            pairs = zip(tracks[a], tracks[b], strict=True)
-            met = np.array([meet(*pair) for pair in pairs])
-            if met.any():
-                met_by[a, b] = met
-    return met_by
-
-
-def shares_covered(ends: EndOfRuns, tracks: Sequence[Track], which: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """Return in what share of all runs a piece ends on each cell of the floor, in one of some of them.
+class Zones(NamedTuple):
+    """Where a piece ends in a room.
 
     Parameters
     ----------
-    ends : EndOfRuns
-        Of the plan.
-    tracks : sequence of Track
-        The piece in each run.
-    which : ndarray of bool, shape (runs,)
-        The runs that count.
+    fell, stood : ndarray, shape (nx, ny)
+        Shares of the runs in which it ends on each cell of the floor having overturned, and without; see
+        `Ways`.
+    outline : ndarray, shape (n, 2)
+        Its outline in plan as it stands [m].
     """
-    counts = np.zeros((len(ends.ways.x), len(ends.ways.y)))
-    for track, counted in zip(tracks, which, strict=True):
-        if counted:
-            counts += ends.covered_by(track)
-    return counts / len(tracks)
+
+    fell: NDArray[np.float64]
+    stood: NDArray[np.float64]
+    outline: NDArray[np.float64]
+
+    @property
+    def covers(self) -> NDArray[np.float64]:
+        """Share of the runs in which it ends on each cell of the floor, shape (nx, ny)."""
+        return self.fell + self.stood
+
+
+def zones_of(runs: Runs, pieces: Sequence[Piece], watcher: Watcher, plan: FloorPlan) -> list[Zones | None]:
+    """Return where each piece ends in runs; None where its tracks were not kept."""
+    if runs.tracks is None or runs.results is None:
+        return [None] * len(pieces)
+    _, ways = watcher.ways(plan)
+    zones: list[Zones | None] = []
+    for body, piece in enumerate(pieces):
+        fell = (runs.results[..., body]["outcome"] == OVERTURNED_OUTCOME).ravel()
+        counts = np.zeros((2, len(ways.x), len(ways.y)))
+        for track, overturned in zip(runs.tracks[..., body].ravel(), fell.tolist(), strict=True):
+            counts[0 if overturned else 1] += watcher.covered_by(ways, track)
+        zones.append(Zones(counts[0] / len(fell), counts[1] / len(fell), at_rest(piece).outline(0)))
+    return zones
 
 
 class RunInRoom(NamedTuple):
@@ -338,14 +287,14 @@ def happens_in(run: Run) -> RunInRoom:
     plan = run.plan
     assert plan is not None
     tracks = tracks_of(run.standing, run, run.motion.dt)
-    events = events_of(EndOfRuns(plan), [[track] for track in tracks])
+    seen = Watcher()(plan, tracks)
     return RunInRoom(
         tuple(
             (name, place.name)
-            for place, hits in zip(plan.places, events.hits, strict=True)
+            for place, hits in zip(plan.places, seen.hits, strict=True)
             for name, hit in zip(run.names, hits, strict=True)
-            if hit.happened[0]
+            if not math.isnan(hit[0])
         ),
-        tuple(door.name for door, blocked in zip(plan.doors, events.blocked, strict=True) if blocked[0]),
-        tuple(place.name for place, shut in zip(plan.places, events.shut_in, strict=True) if shut[0]),
+        tuple(door.name for door, blocked in zip(plan.doors, seen.blocked, strict=True) if blocked),
+        tuple(place.name for place, shut in zip(plan.places, seen.shut_in, strict=True) if shut),
     )

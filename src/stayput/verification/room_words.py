@@ -10,15 +10,18 @@ from stayput.catalogue import Phrase, phrase, say
 from stayput.catalogue.names import PIECES
 from stayput.fragility.probabilities import percent
 from stayput.model.floor_plan import PLACE_NAMES, Door, PersonPlace
-from stayput.rooms.changes import Change, wall_faced
-from stayput.verification.words import sentence_of, shaking_phrase, share_text
-from stayput.wording import called, default_name, inside, name_quoted, name_within
+from stayput.montecarlo.counting import OVERTURNED
+from stayput.verification.changes import Change, wall_faced
+from stayput.verification.words import sentence_of, shaking_phrase, share_text, title
+from stayput.wording import called, default_name, inside, joined, name_quoted, name_within
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from stayput.fragility.paired import Difference
     from stayput.fragility.probabilities import Probability
-    from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
+    from stayput.verification.people import People
+    from stayput.verification.verdict import OptionVerdict, PieceVerdict, Verdict
 
 TOLD = 0.005
 """From this share on something is told in the verdict's sentence."""
@@ -71,16 +74,30 @@ def often(share: float, cases: Phrase) -> Phrase:
     return phrase("rooms.rarely", share=share_text(share), cases=cases)
 
 
-def motion_phrase(verdict: RoomVerdict) -> Phrase | None:
+def motion_phrase(verdict: Verdict) -> Phrase | None:
     """Return what the only motion of a verdict is called: "this record"; None where there are more."""
     if verdict.motions > 1:
         return None
     return phrase("rooms.this_motion" if verdict.scenario.shaking.record is None else "rooms.this_record")
 
 
-def sentence_of_room(verdict: RoomVerdict, language: str) -> str:
+def people_in(verdict: Verdict) -> People:
+    """Return what happens to people in a room as it is."""
+    people = verdict.without.people
+    assert people is not None
+    return people
+
+
+def pieces_in(verdict: Verdict) -> list[PieceVerdict]:
+    """Return what becomes of the pieces of a room as it is, those that do most harm first."""
+    return sorted(
+        verdict.without.pieces, key=lambda piece: (-piece.harm, -piece.probabilities[OVERTURNED].estimate)
+    )
+
+
+def sentence_of_room(verdict: Verdict, language: str) -> str:
     """Return the verdict in one sentence: of which shaking, what happens how often, and how sure that is."""
-    if not verdict.hit.runs:
+    if not people_in(verdict).hit.chance.runs:
         return say("verification.no_run", language)
     stated = verdict.scenario.shaking.strength
     key = "rooms.strength_scattered" if stated is not None and stated.scatter else "rooms.strength"
@@ -89,7 +106,7 @@ def sentence_of_room(verdict: RoomVerdict, language: str) -> str:
     return strength + (sentence[0].lower() + sentence[1:] if language == "en" else sentence)
 
 
-def _clauses(verdict: RoomVerdict) -> Iterator[Phrase]:
+def _clauses(verdict: Verdict) -> Iterator[Phrase]:
     """Yield what happens, each with its interval."""
     only, runs = motion_phrase(verdict), phrase("rooms.runs")
     of_one = runs if only is None else phrase("rooms.runs_of", motion=only)
@@ -104,29 +121,36 @@ def _clauses(verdict: RoomVerdict) -> Iterator[Phrase]:
     def happens(key: str, chance: Probability, **values: Phrase) -> Phrase:
         return phrase(key, often=often(chance.estimate, next(cases)), interval=ends_of(chance), **values)
 
-    worst = sorted(verdict.places, key=lambda place: -place.hit.estimate)
+    people = people_in(verdict)
+    worst = sorted(people.places, key=lambda place: -place.hit.estimate)
     hit = [place for place in worst if place.hit.estimate >= TOLD] or [place for place in worst if place.by]
-    if not verdict.places:
+    if not people.places:
         yield phrase("rooms.no_places")
     elif not hit:
         next(cases)
-        yield phrase("rooms.nobody_hit", count=verdict.hit.runs, cases=of_one, interval=ends_of(verdict.hit))
+        yield phrase(
+            "rooms.nobody_hit",
+            count=people.hit.chance.runs,
+            cases=of_one,
+            interval=ends_of(people.hit.chance),
+        )
     for place in hit:
         first = place.by[0]
         values = {"piece": piece_within(first.piece), "place": _where_somebody_is(place.place)}
-        yield happens("rooms.hits", first.probability, **values)
+        key = "rooms.falls_on" if first.by_falling else "rooms.slides_against"
+        yield happens(key, first.probability, **values)
     named = {place.by[0].piece for place in hit}
-    falling = [piece for piece in verdict.pieces if piece.falls and piece.name not in named]
+    falling = [piece for piece in verdict.without.pieces if piece.falls and piece.name not in named]
     falling.sort(key=lambda piece: -piece.probabilities["overturned"].estimate)
     if falling:
         first, *others = falling
         beside = phrase("rooms.with_others", count=len(others)) if others else ("", "")
         chance = first.probabilities["overturned"]
         yield happens("rooms.falls_too", chance, piece=piece_within(first.name), others=beside)
-    for door in verdict.doors:
+    for door in people.doors:
         if door.blocked.estimate >= TOLD:
             yield happens("rooms.blocked", door.blocked, door=name_within(door.door.name, _DOOR))
-    shut = max(verdict.places, key=lambda place: place.shut_in.estimate, default=None)
+    shut = max(people.places, key=lambda place: place.shut_in.estimate, default=None)
     if shut is not None and shut.shut_in.estimate >= TOLD:
         yield happens("rooms.shut_in", shut.shut_in, place=_where_somebody_is(shut.place))
 
@@ -137,13 +161,27 @@ def interval_text(chance: Probability) -> Phrase:
     return f"{low} to {english}", f"{low}～{japanese}"
 
 
-def change_label(change: Change, verdict: RoomVerdict, language: str) -> str:
-    """Return what a change consists of, as it stands by itself."""
-    label = say(label_of(change, verdict), language)
+def option_label(option: OptionVerdict, verdict: Verdict, language: str) -> str:
+    """Return what an option of a room consists of, as it stands by itself."""
+    label = say(_label(option, verdict), language)
     return label[:1].upper() + label[1:]
 
 
-def label_of(change: Change, verdict: RoomVerdict) -> Phrase:
+def _label(option: OptionVerdict, verdict: Verdict) -> Phrase:
+    """Return the same within a sentence: of options in a file their titles, else what changes."""
+    if verdict.scenario.options:
+        return title(option.option, verdict, "en"), title(option.option, verdict, "ja")
+    return joined(label_of(change, verdict) for change in verdict.changes(option))
+
+
+def piece_changed(option: OptionVerdict, verdict: Verdict) -> tuple[Probability, Difference] | None:
+    """Return how often the only piece that an option changes overturns, and the difference; else None."""
+    changed = {change.what for change in verdict.changes(option)}
+    pieces = [piece for piece in option.pieces if changed == {piece.name}]
+    return (pieces[0].probabilities[OVERTURNED], pieces[0].change) if pieces and pieces[0].change else None
+
+
+def label_of(change: Change, verdict: Verdict) -> Phrase:
     """Return the same within a sentence, in both languages."""
     if change.measure is not None:
         english, japanese = change.measure.label
@@ -151,7 +189,7 @@ def label_of(change: Change, verdict: RoomVerdict) -> Phrase:
     assert change.at is not None
     assert change.heading is not None
     x, y = change.at
-    place = next((spot.place for spot in verdict.places if spot.place.name == change.what), None)
+    place = next((spot.place for spot in people_in(verdict).places if spot.place.name == change.what), None)
     if place is not None and change.what not in verdict.scenario.names:
         turned = abs(math.remainder(change.heading - place.heading, math.pi)) > 1e-6
         how = phrase("rooms.turned" if turned else "rooms.moved", place=name_within(place.name, PLACE_NAMES))
@@ -167,40 +205,41 @@ def label_of(change: Change, verdict: RoomVerdict) -> Phrase:
     )
 
 
-def change_sentence(result: ChangeVerdict, verdict: RoomVerdict, language: str) -> str:
-    """Return what a change is and what it brings."""
-    return sentence_of([say(_effect(result, verdict), language)], language)
+def change_sentence(option: OptionVerdict, verdict: Verdict, language: str) -> str:
+    """Return what an option is and what it brings."""
+    return sentence_of([say(_effect(option, verdict), language)], language)
 
 
-def _effect(result: ChangeVerdict, verdict: RoomVerdict) -> Phrase:
-    what = next(iter(result.better), "hit")
-    changed = verdict.piece_changed(result) if what == "overturned" else None
-    if what in ("shut_in", "blocked"):
-        changed = getattr(result, what), getattr(result, f"{what}_change")
-    chance, change = changed or (result.hit, result.hit_change)
+def _effect(option: OptionVerdict, verdict: Verdict) -> Phrase:
+    what, people = next(iter(option.better), "hit"), option.people
+    assert people is not None
+    changed = piece_changed(option, verdict) if what == "overturned" else None
+    outlook = people.hit if what == "overturned" else getattr(people, what)
+    chance, change = changed or outlook
+    assert change is not None
     held, bare = chance.estimate, chance.estimate - change.estimate
     goes = "stays" if share_text(held) == share_text(bare) else "falls" if held < bare else "rises"
     return phrase(
         "rooms.change_of",
-        change=label_of(result.change, verdict),
+        change=_label(option, verdict),
         what=phrase(f"rooms.chance_of_{what}"),
         goes=phrase(f"rooms.{goes}", bare=share_text(bare), held=share_text(held)),
     )
 
 
-def tags(result: ChangeVerdict) -> list[Phrase]:
-    """Return what a change is clearly better in, and what worse; that nothing is clear, where nothing is."""
-    changes = [("fewer", name) for name in result.better] + [("more", name) for name in result.worse]
+def tags(option: OptionVerdict) -> list[Phrase]:
+    """Return what an option is clearly better in, and what worse; that nothing is clear, where nothing is."""
+    changes = [("fewer", name) for name in option.better] + [("more", name) for name in option.worse]
     # a way out that is free is more than a door
     shown = [(way, name) for way, name in changes if name != "blocked" or (way, "shut_in") not in changes]
     return [phrase(f"rooms.{way}_{name}") for way, name in shown] or [phrase("rooms.nothing_clear")]
 
 
-def best_sentence(verdict: RoomVerdict, language: str) -> str:
-    """Return which single change helps most, or that none does; empty where none was tried."""
-    if not verdict.changes:
+def best_sentence(verdict: Verdict, language: str) -> str:
+    """Return which of the options of a room helps most, or that none does; empty where none was tried."""
+    if not verdict.others:
         return ""
-    best = verdict.best
+    best = verdict.helping
     if best is None:
         return say("rooms.no_best", language) if verdict.complete else ""
     return say("rooms.best", language, change=_effect(best, verdict))

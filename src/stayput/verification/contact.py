@@ -1,23 +1,19 @@
-"""Where bodies come together: with the place of a person, and with each other."""
+"""Where pieces come into the place of a person."""
 
 from __future__ import annotations
 
 import math
-from functools import reduce
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from stayput.model.floor_plan import rectangle
-from stayput.simulation.convex import Convex, box_of, separation
+from stayput.simulation.convex import box_of, separation
+from stayput.simulation.tracks import body_at, bounds_of, touching_of
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from numpy.typing import NDArray
-
     from stayput.model.floor_plan import PersonPlace
-    from stayput.rooms.tracks import Track
+    from stayput.simulation.tracks import Touching, Track
 
 SPACING = 0.1
 """Distance between the points of a place at which the speed of a piece is looked at [m]."""
@@ -51,17 +47,6 @@ class RoomContact(NamedTuple):
     energy: float
 
 
-def _body_at(track: Track, chosen: NDArray[np.intp]) -> Convex:
-    back = np.swapaxes(track.turn[chosen], 1, 2)
-    return Convex(track.corners(chosen), track.shape.normals @ back, track.shape.edges @ back)
-
-
-def _bounds(corners: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the least and the most of corners (k, n, 3), shape (k, 3): one by one, as n is small."""
-    one_by_one = np.moveaxis(corners, 1, 0)
-    return reduce(np.minimum, one_by_one), reduce(np.maximum, one_by_one)
-
-
 def contact_with_place(track: Track, place: PersonPlace) -> RoomContact | None:
     """Return the first contact of a piece with the place of a person that it comes into, or None.
 
@@ -74,12 +59,12 @@ def contact_with_place(track: Track, place: PersonPlace) -> RoomContact | None:
     """
     if track.stays:
         return None
-    low, high = _bounds(track.corners())
+    low, high = bounds_of(track.corners())
     corners = rectangle(place.at, place.width, place.length, place.heading)
     least, most = (*corners.min(axis=0), place.low), (*corners.max(axis=0), place.high)
     near = np.all((low <= most) & (high >= least), axis=1)
-    touching = _touching(
-        track.sample, near, track.dt, lambda k: separation(_body_at(track, k), box_of(place, len(k)))
+    touching = touching_of(
+        track.sample, near, track.dt, lambda k: separation(body_at(track, k), box_of(place, len(k)))
     )
     if touching is None or touching.deepest < ENTERS_BY:
         return None
@@ -87,7 +72,7 @@ def contact_with_place(track: Track, place: PersonPlace) -> RoomContact | None:
     return RoomContact(touching.time, speed, float(track.energy[touching.places].max()))
 
 
-def _speed_within(track: Track, place: PersonPlace, touching: _Touching) -> float:
+def _speed_within(track: Track, place: PersonPlace, touching: Touching) -> float:
     """Return the largest speed of those points of a piece that are within a place while they touch [m/s].
 
     Points of the place, `SPACING` apart, that are in the piece; none where it is all between them. It is not
@@ -122,64 +107,3 @@ def _speed_within(track: Track, place: PersonPlace, touching: _Touching) -> floa
             before = seen[inside] @ track.turn[k - 1].T + track.place[k - 1]
             fastest = max(fastest, float(np.linalg.norm(points[inside] - before, axis=1).max()))
     return max(touching.closing, fastest / track.dt)
-
-
-def meet(track: Track, other: Track) -> bool:
-    """Return whether two pieces come together that were run each by itself under the same motion."""
-    if track.stays and other.stays:
-        return False
-    sample = np.union1d(track.sample, other.sample)
-    first, second = (np.searchsorted(run.sample, sample, side="right") - 1 for run in (track, other))
-    (low, high), (least, most) = _bounds(track.corners()), _bounds(other.corners())
-    near = np.all((low[first] <= most[second]) & (high[first] >= least[second]), axis=1)
-
-    def gap_at(k: NDArray[np.intp]) -> NDArray[np.float64]:
-        return separation(_body_at(track, first[k]), _body_at(other, second[k]))
-
-    return _touching(sample, near, track.dt, gap_at) is not None
-
-
-class _Touching(NamedTuple):
-    """How two bodies touch.
-
-    Parameters
-    ----------
-    time : float
-        When they first touch [s].
-    closing : float
-        How fast they close in then [m/s].
-    places : ndarray of int
-        At which samples they touch.
-    deepest : float
-        How far they are in each other at most [m].
-    """
-
-    time: float
-    closing: float
-    places: NDArray[np.intp]
-    deepest: float
-
-
-def _touching(
-    sample: NDArray[np.intp],
-    near: NDArray[np.bool_],
-    dt: float,
-    gap_at: Callable[[NDArray[np.intp]], NDArray[np.float64]],
-) -> _Touching | None:
-    """Return how two bodies touch from their first overlap after a gap on; ``near``: where they may."""
-    close = np.flatnonzero(near)
-    if not len(close):
-        return None
-    # the sample before each too: the gap there tells how fast it closes
-    chosen = np.unique(np.concatenate([close, np.maximum(close - 1, 0)]))
-    gaps = gap_at(chosen)
-    closes = np.flatnonzero((gaps[1:] <= 0.0) & (gaps[:-1] > 0.0) & (np.diff(chosen) == 1))
-    if not len(closes):
-        return None
-    first = int(closes[0])
-    gap, overlap = float(gaps[first]), -float(gaps[first + 1])
-    # a piece that stood still until then has moved in the last step alone
-    time = dt * (float(sample[chosen[first + 1]]) - overlap / (gap + overlap))
-    together = (gaps[1:] <= 0.0) & (np.arange(1, len(gaps)) > first)
-    deepest = -float(gaps[1:][together].min())
-    return _Touching(time, (gap + overlap) / dt, chosen[1:][together], deepest)

@@ -1,4 +1,4 @@
-"""Tracks: how bodies in space moved while they were away from where they stood, and as what they are there.
+"""Tracks: how bodies in space moved while they were away from where they stood, and which of them met.
 
 A body that comes back to where it stood takes up no other part of the room, so that samples at which nothing
 changes, and tracks of bodies that move less than `STIRS`, are left out.
@@ -7,16 +7,17 @@ changes, and tracks of bodies that move less than `STIRS`, are left out.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from functools import reduce
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from scipy.spatial import ConvexHull
 
-from stayput.simulation.convex import ConvexShape
+from stayput.simulation.convex import Convex, ConvexShape, separation
 from stayput.simulation.space_records import frames_of, matrices
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from numpy.typing import NDArray
 
@@ -165,3 +166,76 @@ def _stirring(shape: ConvexShape, place: NDArray[np.float64], turn: NDArray[np.f
     away = np.flatnonzero(way > STIRS)
     # up to the sample after the last at which it is away: it may have come back
     return moved[: away[-1] + 2] if len(away) else moved[:1]
+
+
+def body_at(track: Track, chosen: NDArray[np.intp]) -> Convex:
+    """Return the body of a track at some of its samples."""
+    back = np.swapaxes(track.turn[chosen], 1, 2)
+    return Convex(track.corners(chosen), track.shape.normals @ back, track.shape.edges @ back)
+
+
+def bounds_of(corners: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the least and the most of corners (k, n, 3), shape (k, 3): one by one, as n is small."""
+    one_by_one = np.moveaxis(corners, 1, 0)
+    return reduce(np.minimum, one_by_one), reduce(np.maximum, one_by_one)
+
+
+def meet(track: Track, other: Track) -> bool:
+    """Return whether two pieces come together that were run each by itself under the same motion."""
+    if track.stays and other.stays:
+        return False
+    sample = np.union1d(track.sample, other.sample)
+    first, second = (np.searchsorted(run.sample, sample, side="right") - 1 for run in (track, other))
+    (low, high), (least, most) = bounds_of(track.corners()), bounds_of(other.corners())
+    near = np.all((low[first] <= most[second]) & (high[first] >= least[second]), axis=1)
+
+    def gap_at(k: NDArray[np.intp]) -> NDArray[np.float64]:
+        return separation(body_at(track, first[k]), body_at(other, second[k]))
+
+    return touching_of(sample, near, track.dt, gap_at) is not None
+
+
+class Touching(NamedTuple):
+    """How two bodies touch.
+
+    Parameters
+    ----------
+    time : float
+        When they first touch [s].
+    closing : float
+        How fast they close in then [m/s].
+    places : ndarray of int
+        At which samples they touch.
+    deepest : float
+        How far they are in each other at most [m].
+    """
+
+    time: float
+    closing: float
+    places: NDArray[np.intp]
+    deepest: float
+
+
+def touching_of(
+    sample: NDArray[np.intp],
+    near: NDArray[np.bool_],
+    dt: float,
+    gap_at: Callable[[NDArray[np.intp]], NDArray[np.float64]],
+) -> Touching | None:
+    """Return how two bodies touch from their first overlap after a gap on; ``near``: where they may."""
+    close = np.flatnonzero(near)
+    if not len(close):
+        return None
+    # the sample before each too: the gap there tells how fast it closes
+    chosen = np.unique(np.concatenate([close, np.maximum(close - 1, 0)]))
+    gaps = gap_at(chosen)
+    closes = np.flatnonzero((gaps[1:] <= 0.0) & (gaps[:-1] > 0.0) & (np.diff(chosen) == 1))
+    if not len(closes):
+        return None
+    first = int(closes[0])
+    gap, overlap = float(gaps[first]), -float(gaps[first + 1])
+    # a piece that stood still until then has moved in the last step alone
+    time = dt * (float(sample[chosen[first + 1]]) - overlap / (gap + overlap))
+    together = (gaps[1:] <= 0.0) & (np.arange(1, len(gaps)) > first)
+    deepest = -float(gaps[1:][together].min())
+    return Touching(time, (gap + overlap) / dt, chosen[1:][together], deepest)

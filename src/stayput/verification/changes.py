@@ -1,41 +1,33 @@
-"""Single changes of a room that are tried: a measure on a piece, another place for it, the bed elsewhere.
-
-A piece that is moved along its wall moves in an earthquake as before, and its tracks move with it; one that
-stands to another wall faces another way, and runs anew.
-"""
+"""Changes of a room: a measure on a piece, another place for it, the bed elsewhere; and what fits where."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stayput.errors import InputError
-from stayput.measures import MEASURES, Measure
 from stayput.measures.wall import REACH, WallDevice
 from stayput.model.floor_plan import FACING, FloorPlan, PersonPlace, rectangle
-from stayput.rooms.runs import RoomPart, group_of, with_measures
-from stayput.rooms.tracks import Track, outline_of
+from stayput.scenario.option import Moved
 from stayput.simulation.convex import inside_each_other
 from stayput.simulation.piece import BEHIND
 from stayput.simulation.placing import placed
 from stayput.simulation.space_engine import DEEPEST
+from stayput.simulation.tracks import outline_of
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterable, Iterator, Sequence
 
     from numpy.typing import NDArray
 
-    from stayput.rooms.events import Ways
+    from stayput.measures import Measure
     from stayput.scenario import Scenario
+    from stayput.scenario.option import Option
     from stayput.simulation.piece import Piece
     from stayput.simulation.scene import Scene
-
-TRIED = ("l_bracket", "belt", "tension_pole", "gel_mats")
-"""Measures that are tried on each piece."""
 
 FRAME = 0.05
 """Nearest to a door or a window that something is screwed to the wall [m]: there is its frame."""
@@ -149,54 +141,63 @@ def overlap(first: NDArray[np.float64], second: NDArray[np.float64]) -> bool:
     return True
 
 
-def measures_tried(scenario: Scenario, whole: Scene, body: int) -> Iterator[tuple[Change, RoomPart]]:
-    """Yield the measures that can be put on a piece, with those that run together as it is then held.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        The room.
-    whole : Scene
-        All pieces, as stated.
-    body : int
-        The piece; on one that is no furniture there are no measures.
-    """
-    for kind in TRIED:
-        measure = MEASURES[kind]()
-        part = held_part(scenario, whole, body, [measure])
-        if part is not None:
-            yield Change(scenario.names[body], measure), part
+def changes_in(option: Option, base: Option, names: Sequence[str]) -> tuple[Change, ...]:
+    """Return what an option changes of another one: measures on pieces, and what is moved."""
+    fixed = [
+        Change(name, measure)
+        for name, now, was in zip(names, option.on, base.on, strict=True)
+        for number, measure in enumerate(now)
+        if now[: number + 1].count(measure) > was.count(measure)
+    ]
+    moved = (Change(move.what, at=move.at, heading=move.heading) for move in option.moved)
+    return *fixed, *moved
 
 
-def held_part(scenario: Scenario, whole: Scene, body: int, measures: Sequence[Measure]) -> RoomPart | None:
-    """Return a piece with further measures, and what runs with it; None where they cannot be put there."""
-    group = group_of(scenario, body)
-    try:
-        part = RoomPart.of(with_measures(whole, body, measures), group)
-    except InputError:  # another measure at the same place
-        return None
-    return part if can_be_held(part, group.index(body)) else None
+def with_changes(option: Option, changes: Iterable[Change], names: Sequence[str]) -> Option:
+    """Return an option with changes, called by what they are."""
+    on, moved, parts = [*option.on], [*option.moved], list[str]()
+    for change in changes:
+        if change.measure is not None:
+            body = names.index(change.what)
+            on[body] = (*on[body], change.measure)
+            parts.append(f"{change.measure.kind} on {change.what}")
+        else:
+            assert change.at is not None
+            assert change.heading is not None
+            moved = [move for move in moved if move.what != change.what]
+            moved.append(Moved(change.what, change.at, change.heading))
+            parts.append(f"{change.what} at ({change.at[0]:g}, {change.at[1]:g}), {change.heading:.3g} rad")
+    return replace(option, name=" + ".join(parts), on=tuple(on), moved=tuple(moved))
 
 
-def can_be_held(part: RoomPart, place: int) -> bool:
-    """Return whether the measures of a part can be put in place, those of one of its pieces on a wall.
+def loose_pieces(scenario: Scenario) -> set[int]:
+    """Return the pieces that neither stand on, bear nor are joined to others."""
+    names, pieces = scenario.names, scenario.pieces
+    bonds = [(number, names.index(piece.on)) for number, piece in enumerate(pieces) if piece.on]
+    bonds += [(names.index(joint.first), names.index(joint.second)) for joint in scenario.joints]
+    return set(range(len(pieces))) - {number for bond in bonds for number in bond}
+
+
+def can_be_held(scene: Scene, body: int) -> bool:
+    """Return whether the measures of a scene can be put in place, those of one of its pieces on a wall.
 
     A device on a wall needs one within `REACH`, with no door or window where it is screwed on.
 
     Parameters
     ----------
-    part : RoomPart
+    scene : Scene
         The pieces, as they would be held.
-    place : int
+    body : int
         Which of them.
     """
     try:
-        all_placed = placed(part.scene)
-    except InputError:  # no wall behind, no ceiling known
+        all_placed = placed(scene)
+    except InputError:  # no wall behind, no ceiling known, another measure at the same place
         return False
-    pieces, held = [body.piece for body in all_placed], all_placed[place].held
+    pieces, held = [each.piece for each in all_placed], all_placed[body].held
     assert held is not None
-    if any(inside_each_other(*pair) > DEEPEST for pair in combinations(pieces, 2)):
+    others = (piece for number, piece in enumerate(pieces) if number != body)
+    if any(inside_each_other(pieces[body], piece) > DEEPEST for piece in others):
         return False  # a wedge leans it into what stands on it
     on_wall = {measure.kind for measure in held.measures if isinstance(measure, WallDevice)}
     if not on_wall:
@@ -204,7 +205,7 @@ def can_be_held(part: RoomPart, place: int) -> bool:
     wall_behind = held.room.left_wall
     if wall_behind is None or wall_behind.gap > REACH:
         return False
-    member, plan = part.scene.pieces[place], part.scene.plan
+    member, plan = scene.pieces[body], scene.plan
     assert plan is not None
     wall = wall_faced(member.heading)
     axis = 1 if wall in ("left_wall", "right_wall") else 0
@@ -296,16 +297,3 @@ def other_places(place: PersonPlace, floor: FreeFloor) -> list[PersonPlace]:
                 if floor.fits(corners, height=place.high, but_place=place.name):
                     places.append(replace(place, at=(x, y), heading=math.remainder(heading, 2.0 * math.pi)))
     return places
-
-
-def reach(track: Track) -> NDArray[np.float64]:
-    """Return the outline of all that a piece reaches at any time and height in a run [m], shape (n, 2)."""
-    return outline_of(track.corners().reshape(-1, 3))
-
-
-def swept(ways: Ways, outlines: Sequence[NDArray[np.float64]]) -> NDArray[np.bool_]:
-    """Return over which cells of the floor a piece moves in each run at most, shape (runs, nx · ny).
-
-    They are those within its `reach`: a place outside is not hit.
-    """
-    return np.array([ways.covered([outline]).ravel() for outline in outlines])

@@ -1,0 +1,479 @@
+"""Monte Carlo runs of scenes: draws of what is uncertain of each piece, and what became of all.
+
+Pieces run alone until they meet (see `stayput.simulation.groups`), so that what a group does serves every
+option that leaves it as it is.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import partial
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+
+import numpy as np
+
+from stayput.execution import Pool
+from stayput.measures.element import utilisation
+from stayput.measures.wall import REACH
+from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT
+from stayput.mechanics.devices.columns import HOLDS
+from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room
+from stayput.montecarlo.runs import Runs
+from stayput.montecarlo.sampling import AS_STATED, Draw, drawn_body, drawn_floor, drawn_place, drawn_surfaces
+from stayput.simulation.groups import Group, groups_at_first, run_in_groups
+from stayput.simulation.placing import planes_around, room_seen
+from stayput.simulation.scene import STRENGTH_RANGE, Scene
+from stayput.simulation.space import results_of, run_of_trace, trace_groups, trace_together
+from stayput.simulation.space_engine import STEP, SpaceShaking
+from stayput.uncertainty import QUANTITIES, Uncertainty, Uniform
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Collection, Generator, Sequence
+
+    from numpy.typing import NDArray
+
+    from stayput.model.floor_plan import FloorPlan
+    from stayput.montecarlo.hazard import FloorMotions
+    from stayput.motion.record import Motion
+    from stayput.simulation.piece import Piece
+    from stayput.simulation.run import Run
+    from stayput.simulation.space import Trace
+    from stayput.simulation.tracks import Track
+    from stayput.uncertainty import Marginal
+
+OWN = ("mass", "gravity_height", "back_inset", "front_inset")
+"""Quantities of `Draw` that each piece has of its own; the others are the room's."""
+
+LIKE = {"between": "friction", "joints": "strength"}
+"""Quantities of several pieces that are drawn like one of `Draw`: friction between them, and joints."""
+
+
+class DrawOfSeveral(NamedTuple):
+    """One draw of what is uncertain of several pieces in a room.
+
+    Parameters
+    ----------
+    pieces : tuple of Draw
+        Of each; what is the room's is the same in all.
+    between : float
+        Factor on the friction between pieces.
+    joints : float
+        Factor on the strengths of the joints.
+    lean : float
+        By what the floor falls towards where the motion's x points [rad]; no piece leans on its own feet.
+    direction : float
+        Where the motion's x points in plan, from x towards y [rad].
+    """
+
+    pieces: tuple[Draw, ...]
+    between: float
+    joints: float
+    lean: float = 0.0
+    direction: float = 0.0
+
+    @property
+    def room(self) -> Draw:
+        """What is drawn of the room."""
+        return self.pieces[0]
+
+    def of(self, bodies: Sequence[int]) -> DrawOfSeveral:
+        """Return the draw of some of the pieces by themselves."""
+        return self._replace(pieces=tuple(self.pieces[body] for body in bodies))
+
+
+def draws_of_several(
+    names: Sequence[str],
+    motions: int,
+    samples: int,
+    seed: int,
+    start: int = 0,
+    *,
+    as_stated: Collection[str] = (),
+    quantities: Uncertainty = QUANTITIES,
+    direction: float | None = 0.0,
+) -> list[list[DrawOfSeveral]]:
+    """Return the draws of every motion; those of a piece depend on its name, and on no other piece.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Names of the pieces.
+    motions, samples, seed, start, as_stated, quantities
+        As for `stayput.montecarlo.sampling.draws`.
+    direction : float, optional
+        Where the motion's x points in plan [rad]; None draws it.
+    """
+    usual = quantities.marginals
+    like = {name: usual[quantity] for name, quantity in LIKE.items()}
+    turned = Uniform(0.0, 2.0 * math.pi)
+
+    def drawn(distributions: dict[str, Marginal], stream: str = "") -> list[list[dict[str, float]]]:
+        columns = Uncertainty(distributions).sample(
+            samples, seed, motions=motions, start=start, stream=stream
+        )
+        for name in columns:
+            if LIKE.get(name, name) in as_stated:
+                columns[name] = np.full((motions, samples), getattr(AS_STATED, LIKE.get(name, name)))
+        rows = zip(*(column.ravel().tolist() for column in columns.values()), strict=True)
+        each = [dict(zip(columns, row, strict=True)) for row in rows]
+        return [each[motion * samples : (motion + 1) * samples] for motion in range(motions)]
+
+    shared = drawn({**usual, **like, "direction": turned})
+    of_pieces = [drawn({name: usual[name] for name in OWN}, piece) for piece in names]
+
+    def draw(motion: int, sample: int) -> DrawOfSeveral:
+        values = dict(shared[motion][sample])
+        between, joints, lean, towards = (values.pop(name) for name in (*LIKE, "lean", "direction"))
+        pieces = tuple(Draw(**values | columns[motion][sample], lean=0.0) for columns in of_pieces)
+        return DrawOfSeveral(pieces, between, joints, lean, towards if direction is None else direction)
+
+    return [[draw(motion, sample) for sample in range(samples)] for motion in range(motions)]
+
+
+def drawn_scene(scene: Scene, draw: DrawOfSeveral) -> Scene:
+    """Return a scene as drawn, its walls too; its products were bought for the pieces as stated."""
+    pieces = [_drawn_piece(piece, drawn) for piece, drawn in zip(scene.pieces, draw.pieces, strict=True)]
+    static, kinetic = (min(draw.between * mu, FRICTION_RANGE[1]) for mu in scene.friction)
+    low, high = STRENGTH_RANGE
+
+    def strength(stated: float) -> float:
+        return stated if math.isinf(stated) else min(max(draw.joints * stated, low), high)
+
+    joints = [
+        replace(joint, strength=strength(joint.strength), shear=strength(joint.shear))
+        for joint in scene.joints
+    ]
+    return Scene(pieces, _drawn_room(scene, draw.room), joints=joints, friction=(static, kinetic))
+
+
+def _drawn_piece(piece: Piece, draw: Draw) -> Piece:
+    """Return a piece as drawn; feet matter on the floor alone."""
+    inset = draw if piece.at[2] == 0.0 else replace(draw, back_inset=0.0, front_inset=0.0)
+    measures = [measure.fitted_to(piece.body) for measure in piece.measures]
+    return replace(piece, body=drawn_body(piece.body, inset), measures=measures)
+
+
+def _drawn_room(scene: Scene, draw: Draw) -> Room:
+    """Return the room as drawn; where a bracket reaches the wall from a piece as stated, it does as drawn."""
+    room = scene.around
+    drawn = drawn_place(room, draw)
+    for name in WALLS_AROUND:
+        wall, stated = getattr(drawn, name), getattr(room, name)
+        if wall is None or stated.gap > REACH:
+            continue
+        alone = replace(room, **{other: None for other in WALLS_AROUND if other != name})
+        planes = planes_around(scene.pieces, alone)
+        seen = [room_seen(piece, alone, planes) for piece in scene.pieces if piece.body.shape is None]
+        behind = [around.left_wall.gap for around in seen if around.left_wall is not None]
+        most = min((REACH - (gap - stated.gap) for gap in behind if gap <= REACH), default=math.inf)
+        drawn = replace(drawn, **{name: replace(wall, gap=min(wall.gap, most))})
+    return drawn_surfaces(drawn, draw)
+
+
+class GroupRun(NamedTuple):
+    """What became of a group of pieces under a draw.
+
+    Parameters
+    ----------
+    results : ndarray of RESULT, shape (pieces,)
+        What became of each.
+    devices : list of tuple of ndarray
+        DEVICE and utilisation of what holds each piece, and of the joints between them at last.
+    tracks : list of Track
+        Where each was.
+    """
+
+    results: NDArray[np.void]
+    devices: list[tuple[NDArray[np.void], NDArray[np.float64]]]
+    tracks: list[Track]
+
+
+class Seen(NamedTuple):
+    """What happened in a run of a room.
+
+    Parameters
+    ----------
+    hits : ndarray, shape (places, pieces, 3)
+        Contacts of pieces with the places of people: time [s], speed [m/s], energy [J]; NaN where none.
+    blocked : ndarray of bool, shape (doors,)
+        Whether a door is blocked at the end.
+    shut_in : ndarray of bool, shape (places,)
+        Whether no way leads out from a place at the end.
+    """
+
+    hits: NDArray[np.float64]
+    blocked: NDArray[np.bool_]
+    shut_in: NDArray[np.bool_]
+
+
+Watch: TypeAlias = "Callable[[FloorPlan, Sequence[Track]], Seen]"
+"""Looks at what happened in a run of a room, of its plan and where the pieces were."""
+
+
+class SceneRunner:
+    """Runs options of a scene under draws; what a group of pieces does is run once for all options.
+
+    Parameters
+    ----------
+    drawn : callable
+        Returns the draws of some samples of each motion, by motion and sample, given how many come before.
+    floors : FloorMotions
+        The motions.
+    gravity : float
+        Acceleration of gravity [m/s²].
+    counted : sequence of int
+        The pieces that count together.
+    threads : int, optional
+        As many as there are cores by default. The bits do not depend on them.
+    advance : callable
+        Called with the number of runs just done; an exception that it raises stops the work.
+    watch : callable, optional
+        What looks at the runs of a room with a plan.
+    """
+
+    def __init__(
+        self,
+        drawn: Callable[[int, int], Sequence[Sequence[DrawOfSeveral]]],
+        floors: FloorMotions,
+        gravity: float,
+        counted: Sequence[int],
+        *,
+        threads: int | None = None,
+        advance: Callable[[int], None] = lambda _runs: None,
+        watch: Watch | None = None,
+    ) -> None:
+        self._drawn, self.floors, self._gravity = drawn, floors, gravity
+        self._counted, self.threads, self.advance, self._watch = list(counted), threads, advance, watch
+        self._draws: list[list[DrawOfSeveral]] = [[] for _ in floors.motions]
+        self._known: dict[tuple[int, int], dict[str, GroupRun]] = {}
+
+    def under(self, floors: FloorMotions) -> SceneRunner:
+        """Return the same under other motions."""
+        return SceneRunner(
+            self._drawn,
+            floors,
+            self._gravity,
+            self._counted,
+            threads=self.threads,
+            advance=self.advance,
+            watch=self._watch,
+        )
+
+    def draw(self, motion: int, sample: int) -> DrawOfSeveral:
+        """Return the draw of a member."""
+        done = len(self._draws[motion])
+        if sample >= done:
+            for known, more in zip(self._draws, self._drawn(sample + 1 - done, done), strict=True):
+                known.extend(more)
+        return self._draws[motion][sample]
+
+    def run(
+        self,
+        scenes: Sequence[Scene],
+        samples: int,
+        start: int = 0,
+        *,
+        keep: bool = False,
+        chosen: NDArray[np.bool_] | None = None,
+    ) -> list[Runs]:
+        """Run scenes of the same pieces under samples of each motion.
+
+        Parameters
+        ----------
+        scenes : sequence of Scene
+            The pieces with each option, as stated.
+        samples, start : int
+            Samples of each motion, and how many come before them.
+        keep : bool
+            Whether the tracks of the pieces are kept.
+        chosen : ndarray of bool, shape (scenes, motions), optional
+            What is run; all by default. Nothing happens in other runs.
+
+        Raises
+        ------
+        InputError
+            Measures that cannot be put in place, as stated or in one of the draws.
+        """
+        shape = len(self.floors.motions), samples
+        parts = [_Parts(scene) for scene in scenes]
+        ran: dict[tuple[int, int], list[tuple[dict[Group, GroupRun], Seen | None]]] = {}
+        if start + samples > 0:
+            self.draw(0, start + samples - 1)
+
+        def run(motion: int, sample: int) -> None:
+            wanted = [chosen is None or bool(chosen[option, motion]) for option in range(len(parts))]
+            members = self._members(
+                [of for of, so in zip(parts, wanted, strict=True) if so], motion, start + sample
+            )
+            ran[motion, sample] = [next(members) if so else ({}, None) for so in wanted]
+
+        with Pool(self.threads) as pool:
+            for place, _ in pool.as_completed(partial(run, *place) for place in np.ndindex(*shape)):
+                self.advance(len(scenes) if chosen is None else int(chosen[:, place // samples].sum()))
+        return [
+            _runs([ran[place][option] for place in np.ndindex(*shape)], shape, of.scene, self._counted, keep)
+            for option, of in enumerate(parts)
+        ]
+
+    def devices_of(self, scene: Scene, body: int, samples: int) -> NDArray[np.void]:
+        """Return what became of what holds a piece: DEVICE, shape (motions, samples, devices).
+
+        It runs with what it runs together with from the beginning, whatever it meets.
+        """
+        of = _Parts(scene)
+        group = next(group for group in of.at_first if body in group)
+
+        def run(motion: int, sample: int) -> NDArray[np.void]:
+            ran = self._group(of, group, motion, sample, self._shaking(motion, sample))
+            return ran.devices[group.index(body)][0]
+
+        self.draw(0, samples - 1)
+        with Pool(self.threads) as pool:
+            places = np.ndindex(len(self.floors.motions), samples)
+            rows = [*pool.in_order(partial(run, *place) for place in places)]
+        self.advance(len(rows))
+        return np.array(rows).reshape(len(self.floors.motions), samples, -1)
+
+    def _shaking(self, motion: int, sample: int) -> SpaceShaking:
+        floor, scale = self.floors.motions[motion], float(self.floors.scales[motion])
+        return drawn_shaking(floor, scale, self.draw(motion, sample), self._gravity)
+
+    def _group(self, of: _Parts, group: Group, motion: int, sample: int, shaking: SpaceShaking) -> GroupRun:
+        """Run a group, or return its run where it is known."""
+        (part, called, key), known = of.part(group), self._known.setdefault((motion, sample), {})
+        if key not in known:
+            draw = self.draw(motion, sample).of(group)
+            known[key] = _group_run(trace_draw(part, draw, shaking, self._gravity, called), shaking)
+        return known[key]
+
+    def _members(
+        self, parts: Sequence[_Parts], motion: int, sample: int
+    ) -> Generator[tuple[dict[Group, GroupRun], Seen | None]]:
+        """Yield the runs of all scenes under one draw."""
+        shaking = self._shaking(motion, sample)
+        for of in parts:
+            run = partial(self._group, of, motion=motion, sample=sample, shaking=shaking)
+            groups = run_in_groups(of.at_first, run, lambda ran: ran.tracks)
+            seen = None
+            if self._watch is not None and of.scene.plan is not None:
+                each = [pair for group in groups for pair in zip(group, groups[group].tracks, strict=True)]
+                in_order = sorted(each, key=lambda pair: pair[0])
+                seen = self._watch(of.scene.plan, [track for _, track in in_order])
+            yield groups, seen
+
+
+class _Parts:
+    """A scene with the groups of pieces that run together at first, and each group by itself."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene, self.at_first, self._known = scene, groups_at_first(scene), dict[Group, Any]()
+
+    def part(self, group: Group) -> tuple[Scene, list[str], str]:
+        """Return the scene of a group, how refusals call its pieces, and what tells it from other groups."""
+        if group not in self._known:
+            part, called = self.scene.part(group), [self.scene.called(number) for number in group]
+            stands = [(piece.at, piece.heading, piece.measures) for piece in part.pieces]
+            self._known[group] = part, called, repr((group, stands, part.joints, part.room))
+        return self._known[group]
+
+
+def _group_run(traced: Trace, shaking: SpaceShaking) -> GroupRun:
+    trace, first = traced.trace, 0
+    used, devices = utilisation(trace.springs, trace.devices), list[tuple[Any, Any]]()
+    for count in [*(len(body.springs) for body in traced.bodies), None]:
+        rows = slice(first, None if count is None else first + count)
+        devices.append((trace.devices[rows], used[rows]))
+        first += count or 0
+    return GroupRun(results_of(traced, shaking.times), devices, traced.tracks(shaking.dt))
+
+
+def drawn_shaking(motion: Motion, scale: float, draw: DrawOfSeveral, gravity: float) -> SpaceShaking:
+    """Return the motion of a floor times a scale, its x turned in plan as drawn.
+
+    A floor that leans by a small angle is also shaken by −g sin(lean) along x, whatever stands on it: what a
+    piece does depends neither on the order of the pieces nor on those that cannot reach it.
+    """
+    acceleration = scale * SpaceShaking.of(motion).acceleration
+    acceleration[:, 0] -= gravity * math.sin(draw.lean)
+    if draw.direction:
+        cos, sin = math.cos(draw.direction), math.sin(draw.direction)
+        x, y = acceleration[:, 0].copy(), acceleration[:, 1].copy()
+        acceleration[:, 0], acceleration[:, 1] = cos * x - sin * y, sin * x + cos * y
+    return SpaceShaking(acceleration, motion.dt)
+
+
+def trace_draw(
+    scene: Scene, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float, names: Sequence[str] = ()
+) -> Trace:
+    """Run the pieces of a scene together under one draw and its `drawn_shaking`; see `trace_together`."""
+    floor = partial(drawn_floor, draw=draw.room)
+    return trace_together(drawn_scene(scene, draw), shaking, gravity, STEP, draw.room.strength, floor, names)
+
+
+def replay(scene: Scene, draw: DrawOfSeveral, motion: Motion, scale: float, gravity: float) -> Run:
+    """Run a scene under one draw again, with its histories.
+
+    Parameters
+    ----------
+    scene, draw, gravity
+        As for `SceneRunner`.
+    motion, scale
+        The floor's motion, and the factor on it.
+    """
+    shaking = drawn_shaking(motion, scale, draw, gravity)
+    parts = _Parts(scene)
+
+    def trace(group: Group) -> Trace:
+        part, called, _ = parts.part(group)
+        return trace_draw(part, draw.of(group), shaking, gravity, called)
+
+    traced = trace_groups(scene, trace, shaking.dt)
+    shown = motion.scaled(scale).pointing(draw.direction)
+    run = run_of_trace(traced, scene.joints, drawn_scene(scene, draw).room, shown)
+    return replace(run, names=scene.names, plan=scene.plan)
+
+
+def _runs(
+    members: Sequence[tuple[dict[Group, GroupRun], Seen | None]],
+    shape: tuple[int, int],
+    scene: Scene,
+    counted: list[int],
+    keep: bool,
+) -> Runs:
+    """Return the runs of an option, by motion and by sample within it."""
+    bodies = range(len(scene.pieces))
+    results = np.zeros((*shape, len(bodies)), RESULT)
+    rows, tracks = list[Any](), np.empty((*shape, len(bodies)), object)
+    for place, (groups, _) in zip(np.ndindex(*shape), members, strict=True):
+        of_pieces, of_joints = dict[int, Any](), dict[int, Any]()
+        for group, ran in groups.items():
+            for number, result, held, track in zip(group, ran.results, ran.devices, ran.tracks, strict=False):
+                results[(*place, number)], of_pieces[number] = result, held
+                tracks[(*place, number)] = track
+            inside = [n for n, joint in enumerate(scene.joints) if joint.first in group]
+            of_joints |= {
+                n: (ran.devices[-1][0][k : k + 1], ran.devices[-1][1][k : k + 1])
+                for k, n in enumerate(inside)
+            }
+        rows.append([*map(of_pieces.__getitem__, bodies), *map(of_joints.__getitem__, sorted(of_joints))])
+    devices, used = (
+        np.concatenate([part[which] for row in rows for part in row]).reshape(*shape, -1) for which in (0, 1)
+    )
+    seen = [seen for _, seen in members if seen is not None]
+    watched = [np.array(column).reshape(*shape, *np.shape(column[0])) for column in zip(*seen, strict=True)]
+    counted_results = results[..., counted]
+    return Runs(
+        overturned=(counted_results["outcome"] == OVERTURNED_OUTCOME).any(axis=-1),
+        missing=(results["outcome"] == FAILED_OUTCOME).any(axis=-1),
+        hit_wall=np.any(counted_results["wall_impacts"] > 0, axis=-1),
+        device_failed=(devices["failure"] != HOLDS).any(axis=-1),
+        slide=counted_results["peak_slide"].max(axis=-1),
+        tilt=counted_results["peak_tilt"].max(axis=-1),
+        devices=devices,
+        used=used,
+        masses=np.ones(shape),
+        results=results,
+        **dict(zip(Seen._fields, watched, strict=False)),
+        tracks=tracks if keep else None,
+    )

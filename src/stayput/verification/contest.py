@@ -1,0 +1,182 @@
+"""`Contest`: the options of a verification under its motions and draws."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stayput.measures import Element, hold
+from stayput.montecarlo.hazard import Hazard
+from stayput.montecarlo.runs import Falls, Runs, calm_scenes, run_level, run_levels, settled_levels
+from stayput.montecarlo.sampling import Rows, Settings, draws, rows_of
+from stayput.montecarlo.scenes import SceneRunner, draws_of_several
+from stayput.simulation.placing import placed
+from stayput.simulation.space import warn_of_settlement
+from stayput.simulation.tracks import at_rest
+from stayput.verification.events import Watcher
+from stayput.verification.replays import drawn_direction
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from numpy.typing import NDArray
+
+    from stayput.model.floor_plan import FloorPlan
+    from stayput.montecarlo.hazard import FloorMotions
+    from stayput.scenario import Scenario
+    from stayput.scenario.option import Option
+    from stayput.simulation.scene import Scene
+
+HeldBy = list[tuple[tuple[str, ...], Element | None]]
+"""What holds the pieces of an option: the pieces, and the device; None of a joint."""
+
+
+class Contest:
+    """The options of a verification under its motions and draws.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        What stands where.
+    slide_limit : float
+        Slide that counts as too far [m].
+    threads : int, optional
+        As many as there are cores by default. The bits do not depend on them.
+    hazard : Hazard, optional
+        The motions at any level; those of the scenario by default.
+    times : float
+        A factor on the shaking that the scenario states.
+
+    Attributes
+    ----------
+    floors : FloorMotions
+        The motions at the shaking that the scenario states.
+    settings : Settings
+        Of the draws.
+    watcher : Watcher or None
+        Who looks at the runs of a room with a plan.
+    """
+
+    def __init__(
+        self,
+        scenario: Scenario,
+        slide_limit: float,
+        threads: int | None,
+        *,
+        hazard: Hazard | None = None,
+        times: float = 1.0,
+        advance: Callable[[int], None] = lambda _runs: None,
+    ) -> None:
+        self.scenario, self.threads, self.advance = scenario, threads, advance
+        self.hazard = Hazard.of(scenario) if hazard is None else hazard
+        self.floors = self.hazard.stated_by(scenario, threads, times)
+        self.settings = Settings.of(scenario, len(self.floors.motions), slide_limit)
+        self.watcher = None if scenario.plan is None else Watcher()
+        self._stated: dict[str, Any] = {
+            "as_stated": self.settings.as_stated,
+            "quantities": self.settings.quantities,
+        }
+        self._last: tuple[object, list[Rows]] = None, []
+        self._scenes: dict[int, tuple[Option, Scene]] = {}
+        self.runner = SceneRunner(
+            self._drawn,
+            self.floors,
+            self.settings.gravity,
+            scenario.counted,
+            threads=threads,
+            advance=advance,
+            watch=self.watcher,
+        )
+
+    def _drawn(self, samples: int, start: int) -> Any:
+        scenario, settings = self.scenario, self.settings
+        place = settings.motions, samples, settings.seed, start
+        return draws_of_several(scenario.names, *place, direction=drawn_direction(scenario), **self._stated)
+
+    def scene(self, option: Option) -> Scene:
+        """Return the pieces where they stand with an option."""
+        known = self._scenes.get(id(option))
+        if known is None:  # the option is kept with its scene, so that the id stays its own
+            if not self._scenes:
+                warn_of_settlement(self.scenario.scene(option))
+            known = self._scenes[id(option)] = option, self.scenario.scene(option)
+        return known[1]
+
+    def plan(self, option: Option) -> FloorPlan | None:
+        """Return the plan of the room with an option, where it has one."""
+        return None if self.scenario.plan is None else self.scene(option).plan
+
+    def at_rest(self, option: Option) -> tuple[list[bool], list[bool]]:
+        """Return which doors are blocked and who is shut in as the furniture stands with an option."""
+        scene = self.scene(option)
+        if self.watcher is None or scene.plan is None:
+            return [], []
+        return self.watcher.ends(scene.plan, [at_rest(piece) for piece in scene.pieces])
+
+    def held_by(self, option: Option) -> HeldBy:
+        """Return what holds the pieces of an option, in the order of the devices of its runs."""
+        scenario = self.scenario
+        if scenario.alone:
+            body, room = scenario.piece.body(), scenario.room.room()
+            held = hold(body, room, option.measures, dimensions=scenario.dimensions)
+            return [(scenario.names, element) for element in held.elements]
+        scene = self.scene(option)
+        on_pieces = zip(scene.names, placed(scene), strict=True)
+        each = [((name,), element) for name, body in on_pieces if body.held for element in body.held.elements]
+        return [
+            *each,
+            *(((scene.names[joint.first], scene.names[joint.second]), None) for joint in scene.joints),
+        ]
+
+    def rows(self, options: Sequence[Option], samples: int, start: int = 0) -> list[Rows]:
+        """Return the rows of options of a lone piece, for some samples of each motion."""
+        asked = tuple(options), samples, start
+        if asked == self._last[0]:
+            return self._last[1]
+        scenario, settings = self.scenario, self.settings
+        body, room = scenario.piece.body(), scenario.room.room()
+        drawn = draws(settings.motions, samples, settings.seed, start, **self._stated)
+        stands = settings.gravity, scenario.initial.state(), scenario.dimensions
+        rows = [rows_of(body, room, option.measures, drawn, *stands) for option in options]
+        self._last = asked, rows
+        return rows
+
+    def run(
+        self, options: Sequence[Option], samples: int, start: int = 0, *, keep: bool = False
+    ) -> list[Runs]:
+        """Run options under some samples of each motion; ``keep``: with the tracks of the pieces."""
+        if self.scenario.alone:
+            rows = self.rows(options, samples, start)
+            return run_level(rows, self.floors, threads=self.threads, progress=self.advance)
+        with self.scenario.naming_keys():
+            return self.runner.run([*map(self.scene, options)], samples, start, keep=keep)
+
+    def devices_of(self, option: Option, body: int) -> NDArray[np.void]:
+        """Return what became of what holds a piece of a scene; see `SceneRunner.devices_of`."""
+        with self.scenario.naming_keys():
+            return self.runner.devices_of(self.scene(option), body, self.settings.samples)
+
+    def falls(
+        self,
+        options: Sequence[Option],
+        samples: int,
+        levels: NDArray[np.float64],
+        floors_at: Callable[[float], FloorMotions],
+        *,
+        every_run: bool,
+    ) -> tuple[list[Falls], int]:
+        """Return the falls with options at many levels, and how many runs were made for them."""
+        shared: dict[str, Any] = {"every_run": every_run, "progress": self.advance}
+        if self.scenario.alone:
+            rows = self.rows(options, samples)
+            return run_levels(rows, levels, floors_at, threads=self.threads, **shared)
+        scenes, shape = [*map(self.scene, options)], (len(options), self.settings.motions, samples)
+
+        def run(floors: FloorMotions, unsettled: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], ...]:
+            ran = self.runner.under(floors).run(scenes, samples, chosen=unsettled)
+            calm = [calm_scenes(runs, scene.pieces) for runs, scene in zip(ran, scenes, strict=True)]
+            return np.array([r.overturned for r in ran]), np.array([r.missing for r in ran]), np.array(calm)
+
+        with self.scenario.naming_keys():
+            return settled_levels(shape, levels, floors_at, run, **shared)

@@ -1,0 +1,226 @@
+"""Which changes of a room are worth trying: places with least harm, and measures on what does harm or falls.
+
+Where something is least in the way is looked for in the runs of the room as it is: a piece moves elsewhere as
+it moves where it stands, turned with it. What a change brings is then told by runs of its own.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.errors import InputError
+from stayput.measures import MEASURES
+from stayput.model.floor_plan import FACING
+from stayput.simulation.tracks import outline_of
+from stayput.verification.changes import (
+    Change,
+    FreeFloor,
+    can_be_held,
+    loose_pieces,
+    other_places,
+    places_at_walls,
+    with_changes,
+)
+from stayput.verification.people import hardest, harm_of, hits_in, risk_of
+from stayput.verification.verdict import FALLS
+
+if TYPE_CHECKING:
+    from collections.abc import Collection, Iterator, Sequence
+
+    from numpy.typing import NDArray
+
+    from stayput.model.floor_plan import PersonPlace
+    from stayput.montecarlo.runs import Runs
+    from stayput.scenario.option import Option
+    from stayput.simulation.scene import Scene
+    from stayput.simulation.tracks import Track
+    from stayput.verification.contest import Contest
+    from stayput.verification.events import Ways
+
+TRIED = ("l_bracket", "belt", "tension_pole", "gel_mats")
+"""Measures that are tried on each piece."""
+
+SAME = 0.05
+"""Distance below which another place is the one where something is already [m]."""
+
+
+def tried_options(contest: Contest, base: Option, runs: Runs) -> Iterator[Option]:
+    """Yield the room with single changes: another place first, then measures on what does most harm.
+
+    After them come measures on what overturns without doing harm where it stands.
+
+    Parameters
+    ----------
+    contest : Contest
+        The room's motions and draws.
+    base : Option
+        The room as it is.
+    runs : Runs
+        Its runs, with their tracks.
+    """
+    scenario, names, scene = contest.scenario, contest.scenario.names, contest.scene(base)
+    plan = scene.plan
+    assert plan is not None
+    harmful, falling = harmful_pieces(contest, scene, runs), falling_pieces(runs)
+    for change in moves_of(contest, scene, runs, harmful):
+        contest.advance(0)  # who has left may end it here
+        yield with_changes(base, [change], names)
+
+    def key(body: int) -> tuple[float, ...]:
+        return body in harmful, harm_of(hardest(runs, [body]), plan.places, runs.missing), chances[body]
+
+    chances = overturning(runs)
+    for body in sorted(harmful | falling, key=key, reverse=True):
+        for kind in TRIED if scenario.pieces[body].is_furniture else ():
+            option = with_changes(base, [Change(names[body], MEASURES[kind]())], names)
+            if held_scene(contest, option, body) is not None:
+                yield option
+
+
+def held_scene(contest: Contest, option: Option, body: int) -> Scene | None:
+    """Return the scene of an option, or None where the measures on a piece cannot be put in place there."""
+    try:
+        scene = contest.scene(option)
+    except InputError:  # another measure at the same place
+        return None
+    return scene if can_be_held(scene, body) else None
+
+
+def overturning(runs: Runs) -> list[float]:
+    """Return the chance that each piece overturns."""
+    return [outcomes.probability_of_overturning().estimate for outcomes in runs.of_bodies()]
+
+
+def falling_pieces(runs: Runs) -> set[int]:
+    """Return the pieces that overturn so often that they are to be held, wherever they fall."""
+    return {body for body, chance in enumerate(overturning(runs)) if chance >= FALLS}
+
+
+def harmful_pieces(contest: Contest, scene: Scene, runs: Runs) -> set[int]:
+    """Return the pieces without which fewer would be hit or shut in, or fewer doors blocked."""
+    plan, watcher, count = scene.plan, contest.watcher, len(scene.pieces)
+    assert plan is not None
+    assert watcher is not None
+    assert runs.tracks is not None
+    assert runs.blocked is not None
+    assert runs.shut_in is not None
+    harmful: set[int] = set()
+    hit, blocked = hits_in(runs), int(runs.blocked.sum() + runs.shut_in.sum())
+    risk = risk_of(np.any(hit, axis=3), plan.places, runs.missing)
+    for body in range(count):
+        others = [number for number in range(count) if number != body]
+        less = risk_of(np.any(hit[..., others], axis=3), plan.places, runs.missing) < risk
+        if not less and blocked:
+            each = runs.tracks[..., others].reshape(-1, count - 1).tolist()
+            ends = (watcher.ends(plan, tracks) for tracks in each)
+            less = sum(sum(doors) + sum(people) for doors, people in ends) < blocked
+        if less:
+            harmful.add(body)
+    return harmful
+
+
+def moves_of(contest: Contest, scene: Scene, runs: Runs, harmful: Collection[int]) -> Iterator[Change]:
+    """Yield the best spot for each place at which somebody is hit, and for harmful pieces at each wall.
+
+    Parameters
+    ----------
+    contest : Contest
+        The room's motions and draws.
+    scene : Scene
+        The room as it is.
+    runs : Runs
+        Its runs, with their tracks.
+    harmful : collection of int
+        The pieces that may be moved.
+    """
+    scenario, plan, watcher, tracks = contest.scenario, scene.plan, contest.watcher, runs.tracks
+    assert plan is not None
+    assert watcher is not None
+    assert tracks is not None
+    _, ways = watcher.ways(plan)
+    floor, hit = FreeFloor(plan, scene.pieces), hits_in(runs)
+    outlines = [[reach(track) for track in tracks[..., body].ravel()] for body in range(len(scene.pieces))]
+    struck = np.flatnonzero(hit.any(axis=(0, 1, 3))).tolist()
+    over = np.any([swept(ways, of_piece) for of_piece in outlines], axis=0) if struck else None
+    for number in struck:
+        assert over is not None
+        other = _best_place(
+            plan.places[number], other_places(plan.places[number], floor), over, contest, ways
+        )
+        if other is not None:
+            yield Change(other.name, at=other.at, heading=other.heading)
+    for body in sorted(loose_pieces(scenario) & set(harmful)):
+        if not scenario.pieces[body].is_furniture:
+            continue
+        others = np.any(np.delete(hit, body, axis=3), axis=3)
+        for wall, middles in places_at_walls(scene, body, floor):
+            at = _best_at_wall(
+                contest, scene, body, wall, middles, outlines[body], others, runs.missing, ways
+            )
+            if at is not None:
+                yield Change(scenario.names[body], at=at, heading=FACING[wall])
+
+
+def _best_at_wall(
+    contest: Contest,
+    scene: Scene,
+    body: int,
+    wall: str,
+    middles: list[tuple[float, float]],
+    outlines: Sequence[NDArray[np.float64]],
+    others: NDArray[np.bool_],
+    missing: NDArray[np.bool_],
+    ways: Ways,
+) -> tuple[float, float] | None:
+    """Return where along a wall a piece does least harm: there it reaches what it reaches here, turned."""
+    piece, plan = scene.pieces[body], scene.plan
+    assert plan is not None
+    angle = FACING[wall] - piece.heading
+    same, origin = abs(math.remainder(angle, 2.0 * math.pi)) < 1e-9, np.array(piece.at[:2])
+    cos, sin = math.cos(angle), math.sin(angle)
+    turned = [(outline - origin) @ np.array([[cos, sin], [-sin, cos]]) for outline in outlines]
+    cells = [ways.cells(place.corners) for place in plan.places]
+    best, least = None, math.inf
+    for middle in middles:
+        if same and math.dist(middle, piece.at[:2]) < SAME:
+            continue
+        contest.advance(0)
+        over = swept(ways, [outline + np.array(middle) for outline in turned])
+        hit = np.stack([over[:, at].any(axis=1) for at in cells], -1) if cells else over[:, :0]
+        risk = risk_of(others | hit.reshape(others.shape), plan.places, missing)
+        if risk < least - 1e-12:
+            best, least = middle, risk
+    return best
+
+
+def _best_place(
+    here: PersonPlace, others: list[PersonPlace], over: NDArray[np.bool_], contest: Contest, ways: Ways
+) -> PersonPlace | None:
+    """Return where a place is hit least, the nearest of those that are alike."""
+
+    def away(place: PersonPlace) -> float:
+        shift = math.hypot(place.at[0] - here.at[0], place.at[1] - here.at[1])
+        return shift + abs(math.remainder(place.heading - here.heading, math.pi))
+
+    def key(place: PersonPlace) -> tuple[float, float]:
+        contest.advance(0)
+        share = over[:, ways.cells(place.corners)].any(axis=1).mean()
+        return float(share), away(place)
+
+    return min((place for place in others if away(place) >= SAME), key=key, default=None)
+
+
+def reach(track: Track) -> NDArray[np.float64]:
+    """Return the outline of all that a piece reaches at any time and height in a run [m], shape (n, 2)."""
+    return outline_of(track.corners().reshape(-1, 3))
+
+
+def swept(ways: Ways, outlines: Sequence[NDArray[np.float64]]) -> NDArray[np.bool_]:
+    """Return over which cells of the floor a piece moves in each run at most, shape (runs, nx · ny).
+
+    They are those within its `reach`: a place outside is not hit.
+    """
+    return np.array([ways.covered([outline]).ravel() for outline in outlines])
