@@ -12,8 +12,8 @@ from browsing import opened
 from serving import AS_BEFORE
 
 from stayput.app.presets import ROOM_SCENE
-from stayput.rooms.verdict import FALLS
-from stayput.rooms.words import tags
+from stayput.verification.room_words import tags
+from stayput.verification.verdict import FALLS
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from playwright.sync_api import Browser, Route
     from serving import Running
 
-    from stayput.rooms.verdict import ChangeVerdict
+    from stayput.verification.verdict import OptionVerdict
 
 QUEUED, ROUGH, COUNTED, DONE = "queued", "rough", "counted", "done"
 CELLS = (72, 54)
@@ -46,15 +46,15 @@ def words(english: str, japanese: str) -> dict[str, str]:
     return {"en": english, "ja": japanese}
 
 
-def piece(name: str, overturned: float, risk: float) -> dict[str, Any]:
+def piece(name: str, overturned: float, harm: float) -> dict[str, Any]:
     slid, spread = chance(0.2), {"median": 0.1, "p90": 0.4}
     return {
         "name": name,
-        "engine": "plane",
         "probabilities": {"overturned": chance(overturned), "slid": slid, "device_failed": chance(0.0)},
         "peak_slide_m": spread,
         "falls": overturned >= FALLS,
-        "risk": risk,
+        "harm_J": harm,
+        "overturned_change": None,
         "outline_m": [(0.0, 1.5), (0.3, 1.5), (0.3, 2.3), (0.0, 2.3)],
         "fell": zone(overturned),
         "stood": zone(1.0 - overturned),
@@ -70,7 +70,6 @@ def change(what: str, hit: float, **more: Any) -> dict[str, Any]:
         "sentence": words(
             f"With {english}, somebody is hit less often.", f"{japanese}すると、人に当たる確率が減ります。"
         ),
-        "measure": None,
         "drilled": False,
         "measures": None,
         "at_m": None,
@@ -87,7 +86,7 @@ def change(what: str, hit: float, **more: Any) -> dict[str, Any]:
         "worse": [],
         **more,
     }
-    clear = cast("ChangeVerdict", SimpleNamespace(better=told["better"], worse=told["worse"]))
+    clear = cast("OptionVerdict", SimpleNamespace(better=told["better"], worse=told["worse"]))
     return {**told, "tags": [words(*tag) for tag in tags(clear)]}
 
 
@@ -96,12 +95,12 @@ def made() -> dict[str, Any]:
     by = {
         "piece": "bookcase",
         "mass_kg": 200.0,
+        "by_falling": True,
         "probability": chance(0.8),
         "speed_m_s": {"median": 5.9, "p90": 6.0},
         "energy_J": {"median": 1310.0, "p90": 1670.0},
     }
     belt = {
-        "measure": "belt",
         "drilled": True,
         "measures": [{"type": "belt"}],
         "label": ("belts on the bookcase", "「本棚」をベルトで固定"),
@@ -109,7 +108,7 @@ def made() -> dict[str, Any]:
     return {
         "complete": True,
         "verdict": words(
-            "In 8 of 10 earthquakes the bookcase hits whoever is in the bed (95 % interval: 60 to 90 %).",
+            "In 8 of 10 earthquakes the bookcase falls on whoever is in the bed (95 % interval: 60 to 90 %).",
             "「本棚」がベッドにいる人に当たります。",
         ),
         "best": words("Best single change: bookcase moved.", "最も効果のある変更：「本棚」を移動。"),
@@ -122,7 +121,9 @@ def made() -> dict[str, Any]:
         "seconds": 1.5,
         "hit": chance(0.8),
         "shut_in": chance(0.1),
+        "blocked": chance(0.3),
         "risk": 0.3,
+        "harm_J": 330.0,
         "places": [
             {
                 "name": "bed",
@@ -134,16 +135,80 @@ def made() -> dict[str, Any]:
             }
         ],
         "doors": [{"name": "door", "blocked": chance(0.3), "blocked_at_rest": False}],
-        "pieces": [piece("bookcase", 0.8, 0.3), piece("chest", 0.1, 0.03), piece("wardrobe", 0.0, 0.0)],
+        "pieces": [piece("bookcase", 0.8, 300.0), piece("chest", 0.1, 30.0), piece("wardrobe", 0.0, 0.0)],
         "cell_m": 0.05,
-        "collisions": [{"pieces": ("bookcase", "chest"), "probability": chance(0.1)}],
         "changes": [
             change("bookcase", 0.1, at_m=(0.17, 0.4), heading_rad=0.0),
             change("bookcase", 0.4, **belt),
             change("bed", 0.75, table="places", at_m=(1.6, 1.26), heading_rad=0.0),
         ],
-        "typical": {"member": 5, "direction_rad": 1.5},
+        "typical": {"motion": 4, "sample": 1},
     }
+
+
+PEOPLE = "hit", "shut_in", "blocked", "risk", "harm_J", "places", "doors"
+CHANGE = "what", "table", "measures", "drilled", "at_m", "heading_rad"
+
+
+def as_sent(verdict: dict[str, Any]) -> dict[str, Any]:
+    """Return what a page makes of a verdict as the server sends it: an option for each change."""
+    told = {
+        key: value for key, value in verdict.items() if key not in (*PEOPLE, "pieces", "changes", "typical")
+    }
+    people = {key: verdict[key] for key in PEOPLE if key in verdict}
+    common = {
+        "grade": "C",
+        "weakest": [],
+        "asides": [],
+        "yours": False,
+        "curve": None,
+        "probabilities": {},
+        "typical": verdict["typical"],
+    }
+
+    def option(rank: int, change: dict[str, Any] | None) -> dict[str, Any]:
+        pieces = verdict["pieces"]
+        if change is None:
+            label, reason, clear = words("the room as it is", "今の部屋"), words("", ""), {}
+        else:
+            label, reason = change["label"], change["sentence"]
+            clear = {key: change[key] for key in ("better", "worse", "tags")}
+            falls = {"overturned_change": change["overturned_change"]}
+            pieces = [
+                {
+                    **one,
+                    **falls,
+                    "probabilities": {**one["probabilities"], "overturned": change["overturned"]},
+                }
+                if one["name"] == change["what"]
+                else one
+                for one in pieces
+            ]
+        then = {key: change[key] for key in change if key.removesuffix("_change") in PEOPLE} if change else {}
+        return {
+            **common,
+            **clear,
+            "rank": rank,
+            "name": "as stated" if change is None else label["en"],
+            "label": label,
+            "reason": reason,
+            "measures": [] if change is None else change["measures"] or [],
+            "overturned_change": None if change is None else chance(0.0),
+            "pieces": pieces,
+            "people": {**people, **then},
+            "changes": [] if change is None else [{key: change[key] for key in CHANGE}],
+            "helps": change is not None and change["helps"],
+        }
+
+    options = [option(rank, change) for rank, change in enumerate([*verdict["changes"], None], 1)]
+    beside: dict[str, Any] = {
+        "notes": [],
+        "grades": {},
+        "not_possible": [],
+        "estimates": None,
+        "everyday": None,
+    }
+    return {**told, **beside, "options": options}
 
 
 @dataclass
@@ -199,6 +264,8 @@ class Judge:
             verdict["changes"] = []
         counted = {**verdict, "complete": False, "changes": []}
         rough = {**counted, "samples": 1, "runs": 24}
+        results = {QUEUED: None, ROUGH: rough, COUNTED: counted, DONE: verdict}
+        result = results[stage]
         return {
             "id": f"{place + self.forgotten:032x}",
             "state": {QUEUED: "waiting", ROUGH: "running", COUNTED: "running", DONE: "done"}[stage],
@@ -208,7 +275,7 @@ class Judge:
             "seconds": 1.5,
             "position": 2 if stage == QUEUED else None,
             "error": None,
-            "result": {QUEUED: None, ROUGH: rough, COUNTED: counted, DONE: verdict}[stage],
+            "result": None if result is None else as_sent(result),
         }
 
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 @pytest.fixture(scope="module")
 def plan() -> sp.ActionPlan:
-    verdict = sp.verify_room(sp.Scenario.parse(ROOM), changes=False, progress=False)
+    verdict = sp.verify(sp.Scenario.parse(ROOM), changes=False, progress=False)
     return sp.action_plan(verdict, progress=False)
 
 

@@ -6,7 +6,8 @@ import threading
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any, cast
 
 import httpx
 import pytest
@@ -18,11 +19,12 @@ from serving import COMPILING, SCENE, Running, client_of, running
 from stayput.app import api, jobs, room_api, turns
 from stayput.app.limits import Limits
 from stayput.app.turns import CLIENT_HEADER, NOBODY, Client, StoppedError, Turn, Turns, first_to_go
-from stayput.rooms.verdict import RoomVerdict
 from waiting import wait_until
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+
+    from stayput.verification import Verdict
 
 FEW = {**SCENE, "uncertainty": {"samples": 1}}
 ASKED = {"scene": FEW, "measures": [{"type": "anti_slip_sheet"}], "compare_usual": False, "curves": False}
@@ -173,7 +175,8 @@ def test_a_plan_lets_another_pass_and_ends_when_its_client_leaves(monkeypatch: p
             note_progress(1)
 
     monkeypatch.setattr(room_api, "_plan", plan)
-    verdict = object.__new__(RoomVerdict)  # at which nothing looks
+    room = SimpleNamespace(scenario=SimpleNamespace(plan=object()))  # at more nothing looks
+    verdict = cast("Verdict", room)
     endless, short = (jobs.Job(name * 32, 1, NOBODY, state="done", verdict=verdict) for name in "ab")
     with running() as server:
         service = server.app.state.service

@@ -13,7 +13,8 @@ from serving import client_of, running
 import stayput as sp
 from stayput.app import room_api
 from stayput.app.presets import ROOM_SCENE
-from stayput.report.room.data import room_data
+from stayput.report.verdict.data import verdict_data
+from stayput.verification.room_words import people_in
 from waiting import wait_until
 
 if TYPE_CHECKING:
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 
     import httpx
 
-    from stayput.rooms.verdict import RoomVerdict
+    from stayput.verification import Verdict
 
 ROOM: dict[str, Any] = {
     **ROOM_SCENE,
@@ -50,17 +51,25 @@ def job(room_client: httpx.Client) -> dict[str, Any]:
     return found
 
 
+def bare(result: dict[str, Any]) -> dict[str, Any]:
+    """Return the room as it is among the options of a verdict."""
+    (option,) = (one for one in result["options"] if one["overturned_change"] is None)
+    return option
+
+
 def test_a_verdict_is_that_of_the_library(room_client: httpx.Client, job: dict[str, Any]) -> None:
     result = job["result"]
-    verdict = sp.verify_room(sp.Scenario.parse(ROOM), progress=False)
+    verdict = sp.verify(sp.Scenario.parse(ROOM), progress=False)
     assert result["complete"] is True
-    data = room_data(verdict)
-    for key in ("verdict", "best", "hit", "shut_in", "doors", "places", "runs", "seed", "jma_intensity"):
+    data = verdict_data(verdict)
+    for key in ("verdict", "best", "runs", "seed", "jma_intensity"):
         assert result[key] == data[key], key
-    assert [one["hit"] for one in result["changes"]] == [one["hit"] for one in data["changes"]]
-    zone = result["pieces"][0]["fell"]
+    assert [one["people"] for one in result["options"]] == [one["people"] for one in data["options"]]
+    zone = bare(result)["pieces"][0]["fell"]
+    zones = verdict.without.pieces[0].zones
+    assert zones is not None
     shares = np.frombuffer(base64.b64decode(zone["shares"]), np.uint8).reshape(zone["nx"], zone["ny"])
-    assert np.abs(shares / 255.0 - verdict.pieces[0].fell).max() <= 0.5 / 255.0 + 1e-9
+    assert np.abs(shares / 255.0 - zones.fell).max() <= 0.5 / 255.0 + 1e-9
     for lang in ("en", "ja"):
         report = room_client.get(f"/api/v1/jobs/{job['id']}/report?lang={lang}")
         assert report.status_code == 200
@@ -74,31 +83,29 @@ def test_a_verdict_is_that_of_the_library(room_client: httpx.Client, job: dict[s
 def test_the_run_that_is_proposed_is_one_of_what_happens_most(
     room_client: httpx.Client, job: dict[str, Any]
 ) -> None:
-    result = job["result"]
-    assert result["hit"]["estimate"] > 0.5
-    run = result["typical"]
-    assert run["member"] in (1, 2)
-    scene = {
-        **ROOM,
-        "direction": run["direction_rad"],
-        "shaking": {**ROOM["shaking"], "member": run["member"]},
-    }
-    shown = room_client.post("/api/v1/simulate", json={"scene": scene, "measures": []}).json()["in_room"]
+    as_it_is = bare(job["result"])
+    assert as_it_is["people"]["hit"]["estimate"] > 0.5
+    run = as_it_is["typical"]
+    scene = {**ROOM, "shaking": {**ROOM["shaking"], "member": run["motion"] + 1}}
+    asked: dict[str, Any] = {"scene": scene, "measures": [], "sample": run["sample"]}
+    shown = room_client.post("/api/v1/simulate", json=asked).json()["in_room"]
     assert shown["hits"] == [{"piece": "bookcase", "place": "bed"}]
-    calm = {**scene, "shaking": {**scene["shaking"], "intensity": 3.0}}
-    shown = room_client.post("/api/v1/simulate", json={"scene": calm, "measures": []}).json()["in_room"]
+    asked["scene"] = {**scene, "shaking": {**scene["shaking"], "intensity": 3.0}}
+    shown = room_client.post("/api/v1/simulate", json=asked).json()["in_room"]
     assert shown == {"hits": [], "blocked": [], "shut_in": []}
 
 
 def test_a_change_says_what_to_write_into_the_scene(room_client: httpx.Client, job: dict[str, Any]) -> None:
-    changes = job["result"]["changes"]
+    options = [one for one in job["result"]["options"] if one["changes"]]
+    changes = [change for one in options for change in one["changes"]]
     assert {one["table"] for one in changes} == {"furniture", "places"}
     fixed = next(one for one in changes if one["measures"])
+    held = next(one for one in options if one["changes"] == [fixed])
     moved = next(one for one in changes if one["table"] == "furniture" and one["at_m"])
     (piece,) = ROOM["furniture"]
     other = {**piece, "measures": fixed["measures"]}
-    found = sp.verify_room(sp.Scenario.parse({**ROOM, "furniture": [other]}), changes=False, progress=False)
-    assert found.hit.estimate == pytest.approx(fixed["hit"]["estimate"])
+    found = sp.verify(sp.Scenario.parse({**ROOM, "furniture": [other]}), changes=False, progress=False)
+    assert people_in(found).hit.chance.estimate == pytest.approx(held["people"]["hit"]["estimate"])
     other = {"name": piece["name"], "preset": piece["preset"], "at": moved["at_m"]}
     scene = {**ROOM, "furniture": [{**other, "heading": moved["heading_rad"]}]}
     assert room_client.post("/api/v1/room", json={"scene": scene, "changes": False}).status_code == 202
@@ -107,18 +114,18 @@ def test_a_change_says_what_to_write_into_the_scene(room_client: httpx.Client, j
 def test_what_is_known_is_there_while_the_job_runs(
     room_client: httpx.Client, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    verify, seen = room_api.verify_room, []
+    verify, seen = room_api.verify, []
 
-    def held(scenario: Any, *, on_verdict: Any, **more: Any) -> RoomVerdict:
-        def told(verdict: RoomVerdict) -> None:
+    def held(scenario: Any, *, on_verdict: Any, **more: Any) -> Verdict:
+        def told(verdict: Verdict) -> None:
             on_verdict(verdict)
             wait_until(lambda: len(seen) > len(passed))
             passed.append(verdict)
 
-        passed: list[RoomVerdict] = []
+        passed: list[Verdict] = []
         return verify(scenario, on_verdict=told, **more)
 
-    monkeypatch.setattr(room_api, "verify_room", held)
+    monkeypatch.setattr(room_api, "verify", held)
     job = room_client.post("/api/v1/room", json={"scene": ROOM}).json()
 
     def state() -> dict[str, Any]:
@@ -130,12 +137,12 @@ def test_what_is_known_is_there_while_the_job_runs(
     wait_until(lambda: state()["state"] == "done")
     assert [one["complete"] for one in seen[:-1]] == [False] * (len(seen) - 1)
     assert seen[-1]["complete"]
-    assert [len(one["changes"]) for one in seen] == sorted(len(one["changes"]) for one in seen)
+    assert [len(one["options"]) for one in seen] == sorted(len(one["options"]) for one in seen)
     assert len(seen) >= 3
 
 
 def test_a_room_that_is_cancelled_stops(room_client: httpx.Client, monkeypatch: pytest.MonkeyPatch) -> None:
-    verify = room_api.verify_room
+    verify = room_api.verify
     began: list[Any] = []
 
     def endless(scenario: Any, **more: Any) -> Any:
@@ -143,7 +150,7 @@ def test_a_room_that_is_cancelled_stops(room_client: httpx.Client, monkeypatch: 
         while True:
             verify(scenario, **more)
 
-    monkeypatch.setattr(room_api, "verify_room", endless)
+    monkeypatch.setattr(room_api, "verify", endless)
     job = room_client.post("/api/v1/room", json={"scene": ROOM}).json()
     wait_until(lambda: bool(began))
     assert room_client.delete(f"/api/v1/jobs/{job['id']}").json()["state"] == "cancelled"

@@ -14,6 +14,7 @@ from room_judge import (
     ROUGH,
     Judge,
     after,
+    as_sent,
     chance,
     change,
     judged,
@@ -22,7 +23,7 @@ from room_judge import (
     room_page,
 )
 
-from stayput.app.verdict_replies import RoomVerdictReply
+from stayput.app.verdict_replies import VerdictReply
 
 if TYPE_CHECKING:
     import pytest
@@ -35,7 +36,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 def test_the_made_up_verdict_is_one_of_the_server() -> None:
-    RoomVerdictReply.model_validate(made())
+    VerdictReply.model_validate(as_sent(made()))
 
 
 def few(route: Route) -> None:
@@ -56,8 +57,8 @@ def test_the_verdict_is_the_servers(browser: Browser, server: Running) -> None:
         assert it.text("#verdict") == result["verdict"]["en"].replace("\u00a0", " ")
         if it.page.is_visible("#all-changes"):
             it.page.click("#all-changes")
-        assert it.page.locator("#ranking > li").count() == len(result["changes"])
-        assert it.page.locator("#pieces .finding").count() == len(result["pieces"])
+        assert it.page.locator("#ranking > li").count() == len(result["options"]) - 1
+        assert it.page.locator("#pieces .finding").count() == len(result["options"][0]["pieces"])
         for link in ("report", "table"):
             address = it.page.get_attribute(f"#{link}", "href")
             assert it.page.request.get(address).ok

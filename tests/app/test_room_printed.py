@@ -39,7 +39,7 @@ MARGIN = """[...document.styleSheets].flatMap((one) => [...one.cssRules])
 
 
 def test_headings_stay_with_their_tables(browser: Browser, tmp_path: Path) -> None:
-    verdict = sp.verify_room(sp.Scenario.parse(ROOM), changes=False, progress=False)
+    verdict = sp.verify(sp.Scenario.parse(ROOM), changes=False, progress=False)
     file = verdict.report(tmp_path / "room.html")
     for gap in range(0, 260, 65):  # of an A4 page
         page = browser.new_page()

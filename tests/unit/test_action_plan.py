@@ -20,22 +20,36 @@ from stayput.catalogue import LANGUAGES, phrase, say
 from stayput.cli import app
 from stayput.measures import MEASURES, Belt, GelMats, LBracket, TensionPole, WedgeStopper
 from stayput.measures.measure import Grade
+from stayput.mechanics.devices.columns import DEVICE
+from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.report.room.card import plan_html
 from stayput.report.room.elevation import ELEVATION_SCALES, SIZES, elevation_scale, size_on_paper, sizes_of
-from stayput.rooms.planning import purchases_of
-from stayput.rooms.runs import DeviceForces
 from stayput.rooms.step_words import changes_nothing, checks, too_weak, what_it_brings, with_ends
-from stayput.rooms.steps import COST_CLASSES, MARGIN, QUANTILE, SETS, Home, Purchase, quantile_of, unbreakable
-from stayput.rooms.verify import question_of
-from stayput.rooms.words import piece_name
+from stayput.rooms.steps import (
+    COST_CLASSES,
+    MARGIN,
+    QUANTILE,
+    SETS,
+    DeviceForces,
+    Home,
+    Purchase,
+    purchases_of,
+    quantile_of,
+    unbreakable,
+)
 from stayput.uncertainty import USUAL
-from stayput.verification.options import inputs_in_room
+from stayput.verification.changes import Change, with_changes
+from stayput.verification.contest import Contest
+from stayput.verification.options import inputs_of_piece
+from stayput.verification.room_words import people_in, piece_name
 from stayput.verification.words import class_phrase, share_text
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.rooms.steps import Fix
+    from stayput.verification.people import People
+    from stayput.verification.verdict import OptionVerdict
 
 
 def room(**tables: Any) -> sp.Scenario:
@@ -48,7 +62,7 @@ def alone(**shaking: Any) -> sp.Scenario:
 
 
 def planned(scenario: sp.Scenario, **home: Any) -> sp.ActionPlan:
-    return sp.action_plan(sp.verify_room(scenario, changes=False, progress=False), progress=False, **home)
+    return sp.action_plan(sp.verify(scenario, changes=False, progress=False), progress=False, **home)
 
 
 @pytest.fixture(scope="module")
@@ -60,6 +74,11 @@ def fixes(plan: sp.ActionPlan) -> list[Fix]:
     return [fix for step in plan.steps for fix in (step.fix, step.instead) if fix is not None]
 
 
+def of_people(effect: OptionVerdict) -> People:
+    assert effect.people is not None
+    return effect.people
+
+
 def test_the_margin_makes_up_for_the_weakest_products():
     """A strength whose median is MARGIN times the force is below it in 5 % of the draws."""
     strengths = MARGIN * USUAL["strength"].quantile(np.linspace(0.0005, 0.9995, 1000))
@@ -68,9 +87,13 @@ def test_the_margin_makes_up_for_the_weakest_products():
 
 
 def test_the_quantile_is_of_each_direction_and_by_rank():
-    peaks = [{(0, "belt"): DeviceForces(float(i), 0.0, float(100 - i))} for i in range(1, 41)]
+    devices = np.zeros((8, 5, 2), DEVICE)
+    devices["peak_pull"][..., 0].flat = 2.0 * np.arange(1, 41)  # of two devices alike, which share it
+    devices["peak_shear"][..., 1].flat = 2.0 * (100 - np.arange(1, 41))
+    belt = Belt(count=2).apply(sp.Body(0.3, 1.8, 100.0), sp.Room(left_wall=sp.Wall(0.02))).elements[0]
+    assert belt.count == 2
     # 38 of 40 runs are 95 %: the 38th smallest pull is 38, the 38th smallest shear 97
-    assert quantile_of(peaks, (0, "belt")) == DeviceForces(38.0, 0.0, 97.0)
+    assert quantile_of(devices, [belt, belt]) == DeviceForces(38.0, 0.0, 97.0)
 
 
 def test_what_cannot_fail_has_the_same_stiffness():
@@ -112,17 +135,18 @@ def test_the_plan_hangs_together(plan: sp.ActionPlan):
     assert plan.verdict.complete
     assert {step.what for step in plan.steps if step.fix} | set(plan.unsolved) >= {"bookcase"}
     assert plan.together is not None
-    assert plan.together.hit.estimate < plan.verdict.hit.estimate
+    now = people_in(plan.verdict)
+    assert of_people(plan.together).hit.chance.estimate < now.hit.chance.estimate
     for step in plan.steps:
         assert (step.move is None) != (step.fix is None)
         for effect in (step.alone, step.together):
-            assert effect.hit_change.estimate == pytest.approx(
-                effect.hit.estimate - plan.verdict.hit.estimate
-            )
-    assert plan.steps[0].alone.hit == plan.steps[0].together.hit
+            chance, change = of_people(effect).hit
+            assert change is not None
+            assert change.estimate == pytest.approx(chance.estimate - now.hit.chance.estimate)
+    assert of_people(plan.steps[0].alone).hit == of_people(plan.steps[0].together).hit
     # each step is the one that brings most after those before it: together it gets no worse
-    risks = [step.together.risk for step in plan.steps]
-    assert all(later <= earlier + 0.0051 for earlier, later in itertools.pairwise(risks))
+    severities = [of_people(step.together).severity for step in plan.steps]
+    assert all(later <= earlier for earlier, later in itertools.pairwise(severities))
 
 
 def test_brackets_come_in_the_number_that_their_screws_need(plan: sp.ActionPlan):
@@ -146,13 +170,13 @@ def test_a_piece_that_falls_where_nobody_is_has_a_step_too():
             places=[{"kind": "bed", "at": [5.5, 1.9], "heading": math.pi / 2}],
         )
     )
-    fell = {piece.name: piece.probabilities["overturned"].estimate for piece in far.verdict.pieces}
-    assert far.verdict.hit.estimate == 0.0
+    fell = {piece.name: piece.probabilities["overturned"].estimate for piece in far.verdict.without.pieces}
+    assert people_in(far.verdict).hit.chance.estimate == 0.0
     assert min(fell.values()) >= 0.5
     assert {step.what for step in far.steps} == {"first", "second"}
     assert not any(step.for_people for step in far.steps)
     assert far.together is not None
-    assert max(one.estimate for one in far.together.overturned) < 0.3
+    assert max(one.probabilities["overturned"].estimate for one in far.together.pieces) < 0.3
     for language, told in (("en", "overturns"), ("ja", "倒れ")):
         assert told in far.verdict.sentence(language)
         assert max(fell, key=lambda name: fell[name]) in far.verdict.sentence(language)
@@ -162,7 +186,7 @@ def test_a_piece_that_falls_where_nobody_is_has_a_step_too():
 def test_what_still_falls_is_said(plan: sp.ActionPlan):
     before = plan.verdict
     nothing = replace(plan, steps=(), unsolved=("bookcase",))
-    chance = next(one for one in before.pieces if one.name == "bookcase").probabilities["overturned"]
+    chance = next(one for one in before.without.pieces if one.name == "bookcase").probabilities["overturned"]
     told = phrase("action_plan.piece_falls", piece=piece_name("bookcase"), was=share_text(chance.estimate))
     for number, language in enumerate(LANGUAGES):
         assert told[number] in plan_html(nothing, language).replace("\xa0", " ")
@@ -186,8 +210,8 @@ def test_the_grade_is_that_of_the_weakest_input(plan: sp.ActionPlan):
         room={"floor": {"static_friction": 0.4, "kinetic_friction": 0.3}, "walls": "stud"},
     )
     for scenario, grades in ((known, {Grade.A}), (room(), {Grade.B, Grade.C})):
-        assert {one.grade for one in inputs_in_room((), scenario, 0)} == grades
-        labels = {one.label[0] for one in inputs_in_room((LBracket(),), scenario, 0)}
+        assert {one.grade for one in inputs_of_piece((), scenario, 0)} == grades
+        labels = {one.label[0] for one in inputs_of_piece((LBracket(),), scenario, 0)}
         assert ("what is behind the wall's surface" in labels) == (scenario is not known)
 
 
@@ -242,7 +266,7 @@ def test_plan_and_elevations_are_to_the_scale_that_they_say(plan: sp.ActionPlan)
     assert re.search(rf"width:{float(picture[1]) / 10.0:.1f}mm", picture[0])
     box = re.search(r'width="([\d.]+)" height="([\d.]+)" class="piece"', picture[0])
     assert box is not None
-    body = fix.part.scene.pieces[fix.place].body
+    body = fix.piece.body
     sizes = [float(size) * 1e-4 * said for size in box.groups()]
     assert sizes == pytest.approx([body.length, body.height], rel=0.002)
 
@@ -292,7 +316,9 @@ def test_the_json_holds_forces_and_effects(plan: sp.ActionPlan):
     assert [step["what"] for step in data["steps"]] == [step.what for step in plan.steps]
     bought = next(step["fix"]["buy"][0] for step in data["steps"] if step["fix"])
     assert set(bought["rated_n"]) == {"pull", "shear"}
-    assert data["room"]["hit"]["estimate"] == pytest.approx(plan.verdict.hit.estimate)
+    (bare,) = data["room"]["options"]
+    hit = people_in(plan.verdict).hit.chance
+    assert bare["people"]["hit"]["estimate"] == pytest.approx(hit.estimate)
 
 
 def test_a_room_in_which_nothing_does_harm_needs_nothing():
@@ -339,8 +365,9 @@ def test_what_is_too_weak_holds_in_the_class_that_is_named(weaker_shaking: sp.Ac
     assert fix.enough_to is not None
     measures = tuple(one.measure for one in fix.purchases)
     for level, enough in ((fix.enough_to, True), (fix.enough_to + 0.5, False)):
-        question = question_of(alone(intensity=level), 1)
-        purchases = purchases_of(question, fix.part, measures, 0)
+        scenario = alone(intensity=level)
+        option = with_changes(scenario.stated, [Change("bookcase", one) for one in measures], scenario.names)
+        purchases = purchases_of(Contest(scenario, SLIDE_LIMIT, 1), option, measures, 0)
         assert all(one.enough for one in purchases) == enough
 
 
@@ -358,10 +385,13 @@ def test_each_check_says_whether_it_is_of_the_step_or_of_its_variant(weaker_shak
 
 def test_a_step_that_helps_only_with_others_says_with_which(plan: sp.ActionPlan):
     """Two pieces hit the same bed in the same runs: either alone changes nothing."""
-    step, now = plan.steps[0], plan.verdict
-    same = replace(step.alone.hit_change, estimate=0.0)
-    changes = dict.fromkeys(("hit_change", "shut_in_change", "blocked_change"), same)
-    idle = replace(step.alone, hit=now.hit, shut_in=now.shut_in, **changes)
+    step, now = plan.steps[0], people_in(plan.verdict)
+    people = of_people(step.alone)
+    assert people.hit.change is not None
+    same = replace(people.hit.change, estimate=0.0)
+    names = ("hit", "shut_in", "blocked")
+    outlooks = {name: getattr(now, name)._replace(change=same) for name in names}
+    idle = replace(step.alone, people=replace(people, **outlooks))
     assert changes_nothing(idle)
     first, second = replace(step, alone=idle, together=idle), replace(step, alone=idle)
     pair = replace(plan, steps=(first, second))

@@ -24,7 +24,7 @@ from stayput.montecarlo.sampling import (
     draws,
     rows_of,
 )
-from stayput.simulation.space import trace_scene
+from stayput.simulation.space import trace_together
 from stayput.simulation.space_engine import SpaceShaking
 from stayput.uncertainty import USUAL
 
@@ -140,5 +140,5 @@ def test_it_is_drawn_alike_in_space(factor: float, friction: float, monkeypatch:
     drawn = partial(drawn_floor, draw=replace(AS_STATED, friction=factor))
     shaking = SpaceShaking.of(sp.near_fault())
     with pytest.raises(StopIteration):
-        trace_scene(sp.Scene([piece], sp.Room(sp.Floor.of("vinyl"))), shaking, 9.8, drawn_floor=drawn)
+        trace_together(sp.Scene([piece], sp.Room(sp.Floor.of("vinyl"))), shaking, 9.8, drawn_floor=drawn)
     assert found == pytest.approx([friction])

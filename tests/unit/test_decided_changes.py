@@ -13,8 +13,8 @@ import stayput as sp
 from long_cases import long
 from stayput.measures import Belt, LBracket
 from stayput.report.room.card import plan_html
-from stayput.rooms.changes import Change
 from stayput.rooms.decisions import changes_between
+from stayput.verification.changes import Change
 
 ROOM: dict[str, Any] = {
     **planned_room.ROOM,
@@ -31,24 +31,24 @@ def room(*furniture: dict[str, Any], **tables: Any) -> sp.Scenario:
     )
 
 
-def verified(scenario: sp.Scenario) -> sp.RoomVerdict:
-    return sp.verify_room(scenario, changes=False, progress=False)
+def verified(scenario: sp.Scenario) -> sp.Verdict:
+    return sp.verify(scenario, changes=False, progress=False)
 
 
-def falls(verdict: sp.RoomVerdict) -> dict[str, float]:
-    return {one.name: one.probabilities["overturned"].estimate for one in verdict.pieces}
+def falls(verdict: sp.Verdict) -> dict[str, float]:
+    return {one.name: one.probabilities["overturned"].estimate for one in verdict.without.pieces}
 
 
 @pytest.fixture(scope="module")
-def verdict() -> sp.RoomVerdict:
+def verdict() -> sp.Verdict:
     return verified(room())
 
 
-def decided(verdict: sp.RoomVerdict, *changes: Change, **home: Any) -> sp.ActionPlan:
+def decided(verdict: sp.Verdict, *changes: Change, **home: Any) -> sp.ActionPlan:
     return sp.action_plan(verdict, decided=changes, progress=False, **home)
 
 
-def test_decided_changes_are_steps_and_the_rest_is_planned_with_them(verdict: sp.RoomVerdict):
+def test_decided_changes_are_steps_and_the_rest_is_planned_with_them(verdict: sp.Verdict):
     plan = decided(verdict, MOVE, Change("chest", Belt()))
     steps = {(step.what, step.move is not None): step for step in plan.steps if step.decided}
     assert set(steps) == {("bookcase", True), ("chest", False)}
@@ -61,7 +61,7 @@ def test_decided_changes_are_steps_and_the_rest_is_planned_with_them(verdict: sp
     assert {step.what for step in others} <= {"bookcase"}
 
 
-def test_what_decided_changes_bring_is_what_the_room_with_them_gives(verdict: sp.RoomVerdict):
+def test_what_decided_changes_bring_is_what_the_room_with_them_gives(verdict: sp.Verdict):
     """All decided moves and measures together are as that room verified by itself, from another file."""
     held = {**MOVED, "measures": [{"type": "l_bracket"}]}
     bed = {**ROOM["places"][0], "at": [1.2, 0.8]}
@@ -73,14 +73,14 @@ def test_what_decided_changes_bring_is_what_the_room_with_them_gives(verdict: sp
     last = max(number for number, step in enumerate(plan.steps) if step.decided)
     assert all(step.decided for step in plan.steps[: last + 1])  # no other step comes between
     together = plan.steps[last].together
-    assert together.hit.estimate == there.hit.estimate
-    assert together.shut_in.estimate == there.shut_in.estimate
-    assert [one.estimate for one in together.overturned] == [
-        falls(there)[name] for name in there.scenario.names
-    ]
+    assert together.people is not None
+    assert there.without.people is not None
+    for name in ("hit", "shut_in", "blocked"):
+        assert getattr(together.people, name).chance == getattr(there.without.people, name).chance
+    assert {one.name: one.probabilities["overturned"].estimate for one in together.pieces} == falls(there)
 
 
-def test_a_choice_without_effect_stays_and_says_so(verdict: sp.RoomVerdict):
+def test_a_choice_without_effect_stays_and_says_so(verdict: sp.Verdict):
     """The chest, which does no harm, is moved by a hand's breadth."""
     plan = decided(verdict, Change("chest", at=(1.55, 0.26), heading=math.pi / 2))
     (step,) = [one for one in plan.steps if one.decided]
@@ -111,7 +111,7 @@ def test_measures_in_place_are_told_apart_from_those_decided_on():
         ([MOVE, MOVE], "twice"),
     ],
 )
-def test_what_cannot_be_decided_is_refused(verdict: sp.RoomVerdict, changes: list[Change], told: str):
+def test_what_cannot_be_decided_is_refused(verdict: sp.Verdict, changes: list[Change], told: str):
     with pytest.raises(sp.InputError, match=told):
         decided(verdict, *changes)
 
@@ -145,8 +145,11 @@ def test_measures_on_pieces_that_stand_on_each_other_act_together(joints: list[d
     tried = [{**piece, "measures": held[piece["name"]]} for piece in STACKED]
     there = verified(sp.Scenario.parse({**ROOM, "furniture": tried, **tables}))
     assert plan.together is not None
-    assert plan.together.hit.estimate == there.hit.estimate
-    assert [one.estimate for one in plan.together.overturned] == [falls(there)["low"], falls(there)["up"]]
+    assert plan.together.people is not None
+    assert there.without.people is not None
+    assert plan.together.people.hit.chance == there.without.people.hit.chance
+    shares = {one.name: one.probabilities["overturned"].estimate for one in plan.together.pieces}
+    assert shares == falls(there)
 
 
 def test_a_plan_is_made_where_a_piece_carries_another():
@@ -158,7 +161,7 @@ def test_a_plan_is_made_where_a_piece_carries_another():
     assert plan.steps or plan.unsolved
 
 
-def test_a_move_tells_that_the_piece_falls_more_often_there(verdict: sp.RoomVerdict):
+def test_a_move_tells_that_the_piece_falls_more_often_there(verdict: sp.Verdict):
     plan = decided(verdict, MOVE, Change("bookcase", Belt()))
     steps = {step.move is not None: step for step in plan.steps if step.what == "bookcase"}
     fix = steps[False].fix

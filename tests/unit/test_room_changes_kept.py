@@ -9,27 +9,27 @@ from test_room_report import made
 
 from stayput.catalogue import say
 from stayput.cli.verdicts import print_verdict
-from stayput.rooms.words import change_label
+from stayput.verification.room_words import piece_changed
 
 
 def test_the_csv_says_what_each_change_brings():
     verdict = made()
     rows = list(csv.DictReader(io.StringIO(verdict.to_csv())))
-    held, moved = verdict.changes
-    label = change_label(held.change, verdict, "en")
+    held, moved = verdict.others
+    label = verdict.label(held)
     found = {row["event"]: row for row in rows if row["of"] == label}
-    own = verdict.piece_changed(held)
+    own = piece_changed(held, verdict)
     assert own is not None
     for event, chance, change in (
-        ("hit_with", held.hit, held.hit_change),
-        ("shut_in_with", held.shut_in, held.shut_in_change),
+        ("hit_with", *held.people.hit),
+        ("shut_in_with", *held.people.shut_in),
         ("overturned_with", *own),
     ):
         told = [float(found[event][key]) for key in ("probability", "low", "high")]
         assert told == [chance.estimate, chance.low, chance.high]
         told = [float(found[event][key]) for key in ("change", "change_low", "change_high")]
         assert told == [change.estimate, change.low, change.high]
-    place = change_label(moved.change, verdict, "en")
+    place = verdict.label(moved)
     assert [row["event"] for row in rows if row["of"] == place] == ["hit_with", "shut_in_with"]
     assert {row["change"] for row in rows if not row["event"].endswith("_with")} == {""}
 
@@ -40,11 +40,11 @@ def test_the_terminal_lists_the_changes_that_help_and_the_next_three(
 ):
     monkeypatch.setenv("COLUMNS", "400")
     verdict = made()
-    chance, helping = verdict.changes
+    chance, helping = verdict.others
     assert (chance.helps, helping.helps) == (False, True)
-    label, better = (change_label(one.change, verdict, language) for one in (chance, helping))
+    label, better = (verdict.label(one, language) for one in (chance, helping))
     for others, shown in ((3, 3), (4, 4), (5, 3), (15, 3)):
-        print_verdict(replace(verdict, changes=(chance,) * others + (helping,)), language)
+        print_verdict(replace(verdict, options=((chance,) * others + (helping, verdict.without))), language)
         told = capsys.readouterr().out
         listed = told[told.index(say("rooms.change", language)) :]
         assert (listed.count(label), listed.count(better)) == (shown, 1)

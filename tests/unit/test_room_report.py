@@ -15,7 +15,7 @@ from stayput.fragility.paired import difference
 from stayput.fragility.probabilities import probability
 from stayput.measures import Belt
 from stayput.model.floor_plan import rectangle
-from stayput.montecarlo.counting import EVENTS, Quantiles
+from stayput.montecarlo.counting import EVENTS, Member, Quantiles
 from stayput.report.room.plan import DrawnPiece, change_plan, covers_svg, plan_svg
 from stayput.report.room.report import change_rows, hit_rows, piece_rows, room_html, write_room_report
 from stayput.report.room.sheet import (
@@ -28,11 +28,13 @@ from stayput.report.room.sheet import (
     wrapped,
 )
 from stayput.report.verdict import numbers
-from stayput.rooms.changes import Change
-from stayput.rooms.events import CELL
-from stayput.rooms.verdict import ChangeVerdict, DoorVerdict, HitVerdict, PlaceVerdict, RoomPiece, RoomVerdict
-from stayput.rooms.words import change_label, sentence_of_room
 from stayput.scenario import Scenario
+from stayput.verification import Verdict
+from stayput.verification.changes import Change, with_changes
+from stayput.verification.events import CELL, Zones
+from stayput.verification.people import DoorVerdict, HitVerdict, Outlook, People, PlaceVerdict
+from stayput.verification.room_words import people_in, piece_changed, sentence_of_room
+from stayput.verification.verdict import OptionVerdict, PieceVerdict
 
 HOSTILE = "<script>alert('&')</script>"
 SCENARIO = {
@@ -66,53 +68,82 @@ NEVER = probability(np.zeros((MOTIONS, SAMPLES), np.bool_))
 def made(**changed):
     """Return a verdict made by hand, in which each number differs from the others."""
     scenario = Scenario.parse({**SCENARIO, **changed})
-    plan, names = scenario.scene().plan, scenario.names
+    scene, names = scenario.scene(), scenario.names
+    plan = scene.plan
     assert plan is not None
     chance = [probability(shares(0.05 + 0.04 * n, n)) for n in range(22)]
     left = iter(chance)
     pieces = []
-    for n, member in enumerate(scenario.scene().pieces):
+    for n, standing in enumerate(scene.pieces):
         fell = np.zeros((round(plan.width / CELL), round(plan.length / CELL)))
         fell[10 * n : 10 * n + 5, 4:6] = 0.35
-        standing, own = member, {event: next(left) for event in EVENTS}
-        outline = rectangle(standing.at[:2], 0.3, 0.8, standing.heading)
-        slide, risk = Quantiles(0.021 + n, 0.043 + n), 0.123 - 0.1 * n
-        pieces.append(RoomPiece(names[n], n == 0, own, slide, fell, 0.0 * fell, outline, risk))
+        own = {event: next(left) for event in EVENTS}
+        zones = Zones(fell, 0.0 * fell, rectangle(standing.at[:2], 0.3, 0.8, standing.heading))
+        slide, harm = Quantiles(0.021 + n, 0.043 + n), 123.0 - 100.0 * n
+        pieces.append(PieceVerdict(names[n], own, slide, slide, None, harm, zones))
     by = [
         HitVerdict(
             name,
             13.0 + n,
             next(left),
             *(Quantiles(*two) for two in ((1.1 + n, 2.2 + n), (31.0 + n, 1720.0 + 100 * n))),
+            falls=1.0 - n,
         )
         for n, name in enumerate(names)
     ]
+    hit, shut_in = next(left), next(left)
+    places = tuple(
+        PlaceVerdict(place, next(left) if n == 0 else NEVER, tuple(by) if n == 0 else (), next(left), n == 9)
+        for n, place in enumerate(plan.places)
+    )
+    doors = tuple(DoorVerdict(door, next(left), n == 1) for n, door in enumerate(plan.doors))
+    outlooks = Outlook(hit, None), Outlook(shut_in, None), Outlook(NEVER, None)
+    people = People(*outlooks, 0.317, 45.6, places, doors)
+    bare = OptionVerdict(
+        option=scenario.stated,
+        rank=3,
+        probabilities=pieces[0].probabilities,
+        change=None,
+        slide=pieces[0].slide,
+        tilt=pieces[0].tilt,
+        typical=Member(0, 0),
+        worst=Member(0, 0),
+        pieces=tuple(pieces),
+        devices=(),
+        curves={},
+        capacities={},
+        people=people,
+    )
     moved = Change("bed" if plan.places else "vase", at=(2.5, 1.6), heading=0.0)
     bare_runs, some = shares(0.7, 40), shares(0.2, 41)
-    same, each = difference(some, some), len(names)
-    changes = [
-        ChangeVerdict(
-            *(chance[n], difference(after, bare_runs), chance[5 + n], same, NEVER, same, 0.21 + 0.01 * n),
-            *((chance[10 + n],) * each, (same,) * each, change),
+    same = difference(some, some)
+
+    def option(n, change, after):
+        hits = Outlook(chance[n], difference(after, bare_runs)), Outlook(chance[5 + n], same)
+        return replace(
+            bare,
+            option=with_changes(scenario.stated, [change], names),
+            rank=1 + n,
+            change=same,
+            pieces=tuple(
+                replace(
+                    piece, probabilities=piece.probabilities | {"overturned": chance[10 + n]}, change=same
+                )
+                for piece in pieces
+            ),
+            people=replace(
+                people,
+                **dict(zip(("hit", "shut_in"), hits, strict=True)),
+                blocked=Outlook(NEVER, same),
+                risk=0.21 + 0.01 * n,
+            ),
         )
-        for n, (change, after) in enumerate(((Change(HOSTILE, Belt()), bare_runs), (moved, some)))
-    ]
-    return RoomVerdict(
+
+    others = [option(0, Change(names[0], Belt()), bare_runs), option(1, moved, some)]
+    return Verdict(
         scenario=scenario,
-        plan=plan,
         intensity=6.27,
-        hit=next(left),
-        shut_in=next(left),
-        risk=0.317,
-        places=tuple(
-            PlaceVerdict(place, next(left) if n == 0 else NEVER, tuple(by) if n == 0 else (), next(left))
-            for n, place in enumerate(plan.places)
-        ),
-        doors=tuple(DoorVerdict(door, next(left), n == 1) for n, door in enumerate(plan.doors)),
-        pieces=tuple(pieces),
-        collisions={(HOSTILE, "vase"): chance[21]},
-        changes=tuple(changes),
-        typical=None,
+        options=(*others, bare),
         complete=True,
         motions=MOTIONS,
         samples=SAMPLES,
@@ -121,6 +152,12 @@ def made(**changed):
         seed=77,
         seconds=12.3,
     )
+
+
+def with_people(verdict, **changed):
+    """Return a verdict whose room as it is has other people in it."""
+    bare = replace(verdict.without, people=replace(people_in(verdict), **changed))
+    return replace(verdict, options=(*verdict.others, bare))
 
 
 @pytest.fixture(scope="module", params=["en", "ja"])
@@ -132,16 +169,19 @@ def page(request):
 def barred(verdict):
     """Return the chances that the report draws as bars, in its order: the change that clearly helps first."""
     return [
-        *(one.hit for one in verdict.places),
-        *(one.probability for place in verdict.places for one in place.by),
-        *(one.blocked for one in verdict.doors),
-        *(one.shut_in for one in verdict.places),
-        *(one.probabilities[event] for one in verdict.pieces for event in ("overturned", "slid")),
-        *verdict.collisions.values(),
+        *(one.hit for one in people_in(verdict).places),
+        *(one.probability for place in people_in(verdict).places for one in place.by),
+        *(one.blocked for one in people_in(verdict).doors),
+        *(one.shut_in for one in people_in(verdict).places),
+        *(one.probabilities[event] for one in verdict.without.pieces for event in ("overturned", "slid")),
         *(
             chance
-            for one in (verdict.changes[1], verdict.changes[0])
-            for chance in (one.hit, one.shut_in, *(verdict.piece_changed(one) or ())[:1])
+            for one in (verdict.others[1], verdict.others[0])
+            for chance in (
+                one.people.hit.chance,
+                one.people.shut_in.chance,
+                *(piece_changed(one, verdict) or ())[:1],
+            )
         ),
     ]
 
@@ -150,15 +190,16 @@ def test_it_says_the_verdict_and_every_number_of_it(page):
     verdict, language, text = page
     told = Page(text).words
     assert " ".join(sentence_of_room(verdict, language).split()) in told
-    for chance in (verdict.hit, verdict.shut_in, *barred(verdict)):
+    people = people_in(verdict)
+    for chance in (people.hit.chance, people.shut_in.chance, *barred(verdict)):
         assert numbers.share(chance.estimate, language) in told
         assert numbers.interval(chance, language) in told
-    for one in verdict.changes:
-        assert change_label(one.change, verdict, language) in told
-        assert numbers.change(one.hit_change, language) in told
+    for one in verdict.others:
+        assert verdict.label(one, language) in told
+        assert numbers.change(one.people.hit.change, language) in told
     for number in ("6.27", "4,321", "77", "stayput"):
         assert number in told
-    assert numbers.share(verdict.risk, language) in told
+    assert numbers.share(people.risk, language) in told
     assert ("15 cm") in told
 
 
@@ -174,18 +215,20 @@ def test_the_tables_hold_the_numbers_of_their_rows():
         (("2.1 m/s", "3.2 m/s"), ("32 J", "1.8 kJ")),
     ]
     pieces = piece_rows(verdict, "en")
-    assert [row["risk"] for row in pieces] == ["12 %", "2 %"]
+    assert [row["harm"] for row in pieces] == ["123 J", "23 J"]
+    assert [row["way"] for row in hits] == ["falls on them", "slides against them"]
     assert pieces[0]["slide"] == ("2.1 cm", "4.3 cm")
-    assert [row["engine"] for row in pieces] == ["in the plane across its length", "in space"]
 
 
 def test_changes_that_clearly_help_come_first():
     verdict = made()
     rows = change_rows(verdict, "en")
     assert [row["kind"] for row in rows] == ["better", "chance"]
-    assert rows[0]["label"] == change_label(verdict.changes[1].change, verdict, "en")
-    worse = replace(verdict.changes[0], hit_change=difference(shares(0.9, 1), shares(0.1, 2)))
-    rows = change_rows(replace(verdict, changes=(worse, *verdict.changes)), "en")
+    assert rows[0]["label"] == verdict.label(verdict.others[1])
+    first = verdict.others[0]
+    hit = first.people.hit._replace(change=difference(shares(0.9, 1), shares(0.1, 2)))
+    worse = replace(first, people=replace(first.people, hit=hit))
+    rows = change_rows(replace(verdict, options=(worse, *verdict.options)), "en")
     assert [row["kind"] for row in rows] == ["better", "chance", "worse"]
 
 
@@ -220,14 +263,15 @@ def test_a_door_that_is_blocked_at_rest_is_marked(page):
     verdict, language, text = page
     mark = say("room_report.at_rest", language)
     assert Page(text).words.count(mark) == 1
-    opened = replace(verdict, doors=tuple(replace(one, at_rest=False) for one in verdict.doors))
+    doors = tuple(replace(one, at_rest=False) for one in people_in(verdict).doors)
+    opened = with_people(verdict, doors=doors)
     assert mark not in Page(room_html(opened, language)).words
 
 
 def test_runs_that_were_given_up_are_told(page):
     verdict, language, text = page
     given_up = shares(0.1, 3)
-    missing = replace(verdict, hit=probability(shares(0.5, 4), given_up))
+    missing = with_people(verdict, hit=Outlook(probability(shares(0.5, 4), given_up), None))
     note = say("room_report.missing", language, missing=int(given_up.sum()), all=MOTIONS * SAMPLES)
     assert note in Page(room_html(missing, language)).words
     assert 'class="note"' not in text
@@ -240,9 +284,10 @@ def test_what_there_is_none_of_is_said(language):
         made(**tables) for tables in ({"places": []}, {"doors": []}, {"doors": no_way_out, "windows": []})
     ]
     verdict = made()
-    places = tuple(replace(one, hit=NEVER, by=()) for one in verdict.places)
-    without.append(replace(verdict, places=places, changes=(), collisions={}))
-    said = ("no_places",), ("no_doors",), ("no_way_out",), ("no_hit", "no_collision", "no_changes")
+    places = tuple(replace(one, hit=NEVER, by=()) for one in people_in(verdict).places)
+    nothing = with_people(verdict, places=places)
+    without.append(replace(nothing, options=(nothing.without,)))
+    said = ("no_places",), ("no_doors",), ("no_way_out",), ("no_hit", "no_changes")
     for found, keys in zip(without, said, strict=True):
         words = Page(room_html(found, language)).words
         assert all(say(f"room_report.{key}", language) in words for key in keys)
@@ -265,9 +310,11 @@ def test_it_is_written_whole_and_refuses_other_names(tmp_path):
 def drawn(**options):
     verdict = made()
     pieces = [
-        DrawnPiece(one.name, look, one.outline, 0.0, one.covers) for look, one in enumerate(verdict.pieces)
+        DrawnPiece(one.name, look, one.zones.outline, 0.0, one.zones.covers)
+        for look, one in enumerate(verdict.without.pieces)
     ]
-    return verdict.plan, plan_svg(verdict.plan, pieces, ["bed", "cot"], "en", **options).svg
+    plan = verdict.scenario.scene().plan
+    return plan, plan_svg(plan, pieces, ["bed", "cot"], "en", **options).svg
 
 
 def polygons(picture, class_):
@@ -298,7 +345,7 @@ def test_the_pillow_is_at_the_head_of_the_bed():
 
 
 def test_cells_are_drawn_where_they_are_and_in_the_step_of_their_share():
-    plan = made().plan
+    plan = made().scenario.scene().plan
     sheet = PlanSheet(plan)
     covers = np.zeros((80, 60))
     covers[10:14, 20] = 0.35
@@ -318,7 +365,7 @@ def test_cells_are_drawn_where_they_are_and_in_the_step_of_their_share():
 
 @pytest.mark.parametrize("look", [7, 14])
 def test_an_eighth_piece_has_the_first_colour_in_stripes(look):
-    sheet, covers = PlanSheet(made().plan), np.ones((80, 60))
+    sheet, covers = PlanSheet(made().scenario.scene().plan), np.ones((80, 60))
     plain, striped = covers_svg(sheet, covers, 0), covers_svg(sheet, covers, look)
     assert "hue0 " in plain
     assert "hue0 " in striped
@@ -329,12 +376,14 @@ def test_the_front_is_marked_and_a_round_piece_has_none():
     plan, picture = drawn()
     fronts = re.findall(r'<polyline points="([^"]*)" class="front"', picture)
     sheet = PlanSheet(plan)
-    outline = made().pieces[0].outline
+    outline = made().without.pieces[0].zones.outline
     xs = [float(point.split(",")[0]) for point in fronts[0].split()]
     assert xs == pytest.approx([sheet.place(outline[:, 0].max(), 0.0)[0] - 2.0] * 2, abs=0.1)
     angle = np.linspace(0.0, 2.0 * math.pi, 32, endpoint=False)
     round_one = np.column_stack([2.0 + np.cos(angle), 1.0 + np.sin(angle)])
-    picture = plan_svg(made().plan, [DrawnPiece("vase", 0, round_one, 0.0)], ["bed", "cot"], "en").svg
+    picture = plan_svg(
+        made().scenario.scene().plan, [DrawnPiece("vase", 0, round_one, 0.0)], ["bed", "cot"], "en"
+    ).svg
     assert 'class="front"' not in picture
 
 
@@ -379,13 +428,13 @@ def test_names_do_not_overlap_where_there_is_room():
 
 def test_numbers_and_letters_stand_for_names_that_would_overlap():
     """Of ten pieces side by side in a large room the names overlap; the numbers of the steps do not."""
-    plan = replace(made().plan, width=12.0, length=9.0)
+    plan = replace(made().scenario.scene().plan, width=12.0, length=9.0)
     corners = np.array([[0.0, 0.0], [0.3, 0.0], [0.3, 0.4], [0.0, 0.4]])
     pieces = [DrawnPiece(f"a long name {n}", n, corners + np.array([0.0, 0.5 * n]), 0.0) for n in range(10)]
     numbered = {piece.name: str(n) for n, piece in enumerate(pieces[:8], 1)}
     few, many = (
         plan_svg(where, own, ["bed", "cot"], "en", numbered=numbered, letters=letters)
-        for where, own, letters in ((made().plan, pieces[:1], 10.0), (plan, pieces, 17.0))
+        for where, own, letters in ((made().scenario.scene().plan, pieces[:1], 10.0), (plan, pieces, 17.0))
     )
     assert few.legend == ()
     assert ">1 a long name 0<" in few.svg
@@ -417,21 +466,22 @@ def test_long_names_are_wrapped_and_cut(name, lines):
 def test_the_best_change_that_moves_something_is_drawn():
     verdict = made()
     picture, label = change_plan(verdict, "en")
-    sheet = PlanSheet(verdict.plan)
-    assert label == change_label(verdict.changes[1].change, verdict, "en")
+    sheet = PlanSheet(verdict.scenario.scene().plan)
+    assert label == verdict.label(verdict.others[1])
     (was,) = polygons(picture, "was")
     assert was.mean(axis=0) == pytest.approx(sheet.place(2.0, 0.8), abs=0.1)
     assert polygons(picture, "place")[0].mean(axis=0) == pytest.approx(sheet.place(2.5, 1.6), abs=0.1)
     assert "cover" not in picture
-    assert change_plan(replace(verdict, changes=verdict.changes[:1]), "en") is None
+    assert change_plan(replace(verdict, options=(verdict.others[0], verdict.without)), "en") is None
 
 
 def test_a_piece_that_is_moved_is_turned_about_the_middle_of_its_base():
     verdict = made()
     change = Change(HOSTILE, at=(2.0, 2.8), heading=-math.pi / 2.0)
-    moved = replace(verdict, changes=(replace(verdict.changes[1], change=change),))
+    option = with_changes(verdict.scenario.stated, [change], verdict.scenario.names)
+    moved = replace(verdict, options=(replace(verdict.others[1], option=option), verdict.without))
     picture, _ = change_plan(moved, "en")
-    sheet, standing = PlanSheet(verdict.plan), polygons(picture, "standing hue0")[0]
+    sheet, standing = PlanSheet(verdict.scenario.scene().plan), polygons(picture, "standing hue0")[0]
     low, high = standing.min(axis=0), standing.max(axis=0)
     assert 0.5 * (low + high) == pytest.approx(sheet.place(2.0, 2.8), abs=0.1)
     assert high - low == pytest.approx(sheet.scale * np.array([0.8, 0.3]), abs=0.2)

@@ -30,7 +30,6 @@ from stayput.fragility.intensity_measures import (
 )
 from stayput.motion.intensity import Intensities
 from stayput.report.plot import plot_run
-from stayput.report.room.data import room_data
 from stayput.report.verdict.curves import curves_svg
 from stayput.report.verdict.data import verdict_data
 from stayput.report.verdict.html import report_html
@@ -241,11 +240,11 @@ def test_several_pieces_and_rooms_say_it_too(folder):
     with pytest.warns(sp.InputWarning):
         verdicts = [
             sp.verify(sp.Scenario.parse(given), progress=False),
-            sp.verify_room(sp.Scenario.parse({**BEDROOM, **given}), changes=False, progress=False),
+            sp.verify(sp.Scenario.parse({**BEDROOM, **given}), changes=False, progress=False),
         ]
-    for verdict, data in zip(verdicts, (verdict_data, room_data), strict=True):
-        assert data(verdict)["motion_floor"] == "floor 6"
-        assert data(verdict)["intensity_class"] is None
+    for verdict in verdicts:
+        assert verdict_data(verdict)["motion_floor"] == "floor 6"
+        assert verdict_data(verdict)["intensity_class"] is None
         assert "by the motion on floor 6, not of the place" in verdict.sentence("en")
         assert "6階の揺れによる値で、その場所の震度ではない" in verdict.sentence("ja")
 

@@ -19,14 +19,15 @@ from stayput.montecarlo.sampling import draws, rows_of
 from stayput.report.verdict import svg
 from stayput.report.verdict.html import report_html, write_report
 from stayput.report.verdict.numbers import interval, share, word
-from stayput.report.verdict.pairs import floor_motion, pairs_of, place_of_the_measure, replay
+from stayput.report.verdict.pairs import pairs_of, place_of_the_measure
 from stayput.report.verdict.tables import ranking
+from stayput.verification.replays import drawn_run
 from stayput.verification.words import headline
 
 
 def again(verdict, option, member, ground):
     """Run one of the runs behind a verdict again."""
-    return replay(verdict, option, member, *floor_motion(verdict, ground, member))
+    return drawn_run(verdict.scenario, option, member)
 
 
 @pytest.fixture(scope="module", params=["en", "ja"])

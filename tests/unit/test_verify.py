@@ -12,10 +12,10 @@ from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED, Membe
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import Runs
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws, rows_of
-from stayput.report.verdict.pairs import floor_motion, replay
 from stayput.scenario import Scenario
 from stayput.verification import verify
 from stayput.verification.options import compared_options
+from stayput.verification.replays import drawn_run
 
 ROOM = {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
 FEW = np.array([5.0, 5.75, 6.5])
@@ -72,12 +72,8 @@ def test_a_device_s_failures_and_margins_are_those_of_its_runs():
     weak = scenario(measures=[{"type": "belt", "strength": 700.0}])
     found = verify(weak, levels=())
     belt = next(one for one in found.options if one.option.measures)
-    ground = weak.shaking.ground(weak.folder)
     members = [Member(m, s) for m in range(found.motions) for s in range(found.samples)]
-    results = [
-        replay(found, belt.option, member, *floor_motion(found, ground, member)).devices[0]
-        for member in members
-    ]
+    results = [drawn_run(found.scenario, belt.option, member).devices[0] for member in members]
     (told,) = belt.devices
     times = [one.failure_time for one in results if one.failed]
     assert 0 < len(times) < len(results)

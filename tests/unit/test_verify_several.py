@@ -16,12 +16,12 @@ from stayput.catalogue import say
 from stayput.model.room import SURFACES
 from stayput.model.soft_base import rigid_half_base
 from stayput.montecarlo.sampling import draws
-from stayput.montecarlo.several import drawn_scene, draws_of_several, replay
+from stayput.montecarlo.scenes import drawn_scene, draws_of_several, replay
 from stayput.report.verdict.assumptions import assumptions, assumptions_of_room, settlement_assumptions
-from stayput.report.verdict.pairs import replay_of_several
 from stayput.scenario import Scenario
 from stayput.simulation.placing import placed
 from stayput.verification.options import compared_options
+from stayput.verification.replays import drawn_run
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -225,7 +225,7 @@ def test_assumptions_are_of_what_is_there() -> None:
         scenario = Scenario.parse({**DRESSER, **few, **changed})
         if scenario.plan is None:
             return {one.what[0]: one.confidence for one in assumptions(sp.verify(scenario))}
-        verdict = sp.verify_room(scenario, changes=False)
+        verdict = sp.verify(scenario, changes=False)
         return {one.what[0]: one.confidence for one in assumptions_of_room(verdict)}
 
     drum = {"name": "drum", "diameter": 0.3, "height": 0.7, "mass": 5.0}
@@ -315,7 +315,7 @@ def test_the_bits_do_not_depend_on_threads() -> None:
 
 
 def test_runs_are_made_again(verdict: Verdict) -> None:
-    run = replay_of_several(verdict, verdict.without, verdict.without.worst)
+    run = drawn_run(verdict.scenario, verdict.without.option, verdict.without.worst)
     assert any(piece.overturned for piece in run.pieces[:2]) == (
         verdict.without.probabilities["overturned"].fell > 0
     )

@@ -13,10 +13,11 @@ import pytest
 
 import stayput as sp
 from stayput.measures import LBracket
-from stayput.rooms.runs import RoomPart, with_measures
+from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.rooms.steps import quantile_of, unbreakable
-from stayput.rooms.verify import question_of
 from stayput.uncertainty import USUAL
+from stayput.verification.changes import Change, with_changes
+from stayput.verification.contest import Contest
 
 WIDTH, LENGTH, HEIGHT, MASS, G = 0.3, 0.8, 1.8, 100.0, 9.80665
 
@@ -38,11 +39,10 @@ def room(acceleration: float) -> sp.Scenario:
 @pytest.mark.parametrize("count", [2, 3])
 def test_brackets_bear_the_static_force_of_the_tie(acceleration: float, count: int):
     scenario = room(acceleration)
-    question = question_of(scenario, 1)
-    brackets = [unbreakable(LBracket(count=count, slack=0.0))]
-    part = RoomPart.of(with_measures(question.whole, 0, brackets), (0,))
-    (runs,) = question.run([part])
-    force = quantile_of(runs.peaks, (0, "l_bracket"))
+    contest, brackets = Contest(scenario, SLIDE_LIMIT, 1), unbreakable(LBracket(count=count, slack=0.0))
+    option = with_changes(scenario.stated, [Change("block", brackets)], scenario.names)
+    elements = [element for _, element in contest.held_by(option) if element is not None]
+    force = quantile_of(contest.devices_of(option, 0), elements)
     tie = MASS * (acceleration * 0.5 * HEIGHT - G * 0.5 * WIDTH) / HEIGHT
     # the brackets also bear shear at the back as it rises, which takes a part of the moment
     assert count * (force.pull + force.shear * WIDTH / HEIGHT) == pytest.approx(tie, rel=0.02)

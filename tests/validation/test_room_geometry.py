@@ -16,10 +16,10 @@ from scipy.optimize import linprog
 import stayput as sp
 from stayput.model.floor_plan import rectangle
 from stayput.model.parameters import STANDARD_GRAVITY
-from stayput.rooms.contact import ENTERS_BY, RoomContact, contact_with_place, meet
-from stayput.rooms.events import CELL, PASSAGE, Ways
-from stayput.simulation.tracks import Track, at_rest, outline_of, track_in_plane
 from stayput.simulation.convex import inside_each_other
+from stayput.simulation.tracks import Track, at_rest, meet, outline_of, stirring
+from stayput.verification.contact import ENTERS_BY, RoomContact, contact_with_place
+from stayput.verification.events import CELL, PASSAGE, Ways
 
 
 def placed(rng: np.random.Generator, reach: float) -> sp.Piece:
@@ -95,6 +95,38 @@ def cut(track: Track, count: int) -> Track:
     """Return a track that ends after so many samples."""
     names = ("sample", "place", "turn", "energy")
     return replace(track, **{name: getattr(track, name)[:count] for name in names})
+
+
+def track_in_plane(pose: Track, x: np.ndarray, z: np.ndarray, tilt: np.ndarray) -> Track:
+    """Return the track of a piece that moves in the plane across its length.
+
+    Parameters
+    ----------
+    pose : Track
+        How it stands at first, alone.
+    x, z : ndarray, shape (samples,)
+        How far its centre of gravity has come to its front and up from there [m].
+    tilt : ndarray, shape (samples,)
+        By what it has tilted to its front from there [rad].
+    """
+    shape = pose.shape
+    facing = pose.turn[0] @ np.array([1.0, 0.0, 0.0])
+    front = np.array([facing[0], facing[1], 0.0]) / np.hypot(facing[0], facing[1])
+    place = pose.place[0] + x[:, np.newaxis] * front + z[:, np.newaxis] * [0.0, 0.0, 1.0]
+    cos, sin = np.cos(tilt), np.sin(tilt)
+    turn = np.zeros((len(tilt), 3, 3))
+    across = np.cross([0.0, 0.0, 1.0], front)
+    # a turn from up to the front is one about the axis across, by Rodrigues
+    outer, skew = np.outer(across, across), np.cross(np.eye(3), across)
+    turn = (
+        cos[:, np.newaxis, np.newaxis] * (np.eye(3) - outer) + outer + sin[:, np.newaxis, np.newaxis] * skew
+    )
+    turn = turn @ pose.turn[0]
+    moved = stirring(shape, place, turn)
+    inertia = float(across @ (pose.turn[0] @ shape.inertia @ pose.turn[0].T) @ across)
+    rates = [np.gradient(values, pose.dt) if len(values) > 1 else np.zeros(1) for values in (x, z, tilt)]
+    energy = 0.5 * (shape.mass * (rates[0] ** 2 + rates[1] ** 2) + inertia * rates[2] ** 2)
+    return Track(shape, moved, place[moved], turn[moved], energy[moved], pose.dt)
 
 
 def toppling(heading: float) -> tuple[Track, sp.Run]:

@@ -5,17 +5,16 @@ A damper only takes energy away (W = −c ∫ u̇² dt ≤ 0), and keeps the mom
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from in_space import G, energy
 
 import stayput as sp
 from stayput.measures import LBracket
-from stayput.rooms.runs import RoomPart
+from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.rooms.steps import purchases_of
-from stayput.rooms.verify import question_of
+from stayput.verification.changes import Change, with_changes
+from stayput.verification.contest import Contest
 
 BOX = sp.Body.box(0.3, 0.3, 0.3, 10.0)
 
@@ -73,10 +72,8 @@ def test_a_bracket_in_a_corner_bears_what_it_bears_elsewhere(gap: float):
                 "uncertainty": {"samples": 12},
             }
         )
-        question = question_of(scenario, 2)
-        held = replace(question.whole.pieces[0], measures=(LBracket(),))
-        part = RoomPart.of(question.whole.with_piece(0, held), (0,))
-        (purchase,) = purchases_of(question, part, (LBracket(),), 0)
+        option = with_changes(scenario.stated, [Change("bookcase", LBracket())], scenario.names)
+        (purchase,) = purchases_of(Contest(scenario, SLIDE_LIMIT, 2), option, (LBracket(),), 0)
         assert purchase.needed is not None
         return tuple(purchase.needed)
 

@@ -110,6 +110,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "None of the single changes that were tried makes it clearly better.",
         "試した変更のうち、明らかに良くなるものはありませんでした。",
     ),
+    "as_it_is": ("the room as it is", "今の部屋"),
     "fix": ("{measure} on {piece}", "{piece}を{measure}で固定"),
     "move_piece": (
         "move {piece} to the {wall}, its middle {along:.2f} m from the {start}",

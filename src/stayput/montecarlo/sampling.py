@@ -369,6 +369,7 @@ def sample_until_precise(
     run: Callable[[list[int], int, int], Sequence[OutcomesT]],
     *,
     together: bool,
+    first: int = FIRST_SAMPLES,
     on_batch: Callable[[list[OutcomesT], int], None] | None = None,
 ) -> tuple[list[OutcomesT], int, bool]:
     """Run batches of samples, each doubling their number, until the probabilities are as precise as asked.
@@ -385,6 +386,8 @@ def sample_until_precise(
     together : bool
         Whether all items go on until the last one is precise enough, so that they can be compared sample by
         sample; else each stops by itself.
+    first : int
+        Samples of each motion of the first batch.
     on_batch : callable, optional
         Called after each batch but the last with the outcomes so far and the samples of each motion; where no
         precision is asked, all samples are one batch without it.
@@ -404,7 +407,7 @@ def sample_until_precise(
     most, precision = settings.samples, settings.precision
     while active:
         at_once = precision is None and on_batch is None
-        wanted = most if at_once else min(most, max(FIRST_SAMPLES, 2 * done))
+        wanted = most if at_once else min(most, max(first, 2 * done))
         for place, outcome in zip(active, run(active, wanted - done, done), strict=True):
             outcomes[place].append(outcome)
             joined[place] = type(outcome).joined(outcomes[place])

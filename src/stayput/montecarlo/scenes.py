@@ -404,11 +404,16 @@ def drawn_shaking(motion: Motion, scale: float, draw: DrawOfSeveral, gravity: fl
 
 
 def trace_draw(
-    scene: Scene, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float, names: Sequence[str] = ()
+    scene: Scene,
+    draw: DrawOfSeveral,
+    shaking: SpaceShaking,
+    gravity: float,
+    names: Sequence[str] = (),
+    step: float = STEP,
 ) -> Trace:
     """Run the pieces of a scene together under one draw and its `drawn_shaking`; see `trace_together`."""
     floor = partial(drawn_floor, draw=draw.room)
-    return trace_together(drawn_scene(scene, draw), shaking, gravity, STEP, draw.room.strength, floor, names)
+    return trace_together(drawn_scene(scene, draw), shaking, gravity, step, draw.room.strength, floor, names)
 
 
 def replay(scene: Scene, draw: DrawOfSeveral, motion: Motion, scale: float, gravity: float) -> Run:

@@ -107,7 +107,7 @@ def tracks_of(pieces: Sequence[Piece], trace: SpaceTrace | Run, dt: float) -> li
     tracks: list[Track] = []
     for b, piece in enumerate(pieces):
         shape, place, turn = ConvexShape.of(piece.solid), trace.place[b], turns[b]
-        moved = _stirring(shape, place, turn)
+        moved = stirring(shape, place, turn)
         v, w = trace.velocity[b, moved], trace.rotation_rate[b, moved]
         spin = np.einsum("kji,kj->ki", turn[moved], w)
         energy = 0.5 * (
@@ -117,41 +117,7 @@ def tracks_of(pieces: Sequence[Piece], trace: SpaceTrace | Run, dt: float) -> li
     return tracks
 
 
-def track_in_plane(
-    pose: Track, x: NDArray[np.float64], z: NDArray[np.float64], tilt: NDArray[np.float64]
-) -> Track:
-    """Return the track of a piece that moves in the plane across its length.
-
-    Parameters
-    ----------
-    pose : Track
-        How it stands at first, alone.
-    x, z : ndarray, shape (samples,)
-        How far its centre of gravity has come to its front and up from there [m].
-    tilt : ndarray, shape (samples,)
-        By what it has tilted to its front from there [rad].
-    """
-    shape = pose.shape
-    facing = pose.turn[0] @ np.array([1.0, 0.0, 0.0])
-    front = np.array([facing[0], facing[1], 0.0]) / np.hypot(facing[0], facing[1])
-    place = pose.place[0] + x[:, np.newaxis] * front + z[:, np.newaxis] * [0.0, 0.0, 1.0]
-    cos, sin = np.cos(tilt), np.sin(tilt)
-    turn = np.zeros((len(tilt), 3, 3))
-    across = np.cross([0.0, 0.0, 1.0], front)
-    # a turn from up to the front is one about the axis across, by Rodrigues
-    outer, skew = np.outer(across, across), np.cross(np.eye(3), across)
-    turn = (
-        cos[:, np.newaxis, np.newaxis] * (np.eye(3) - outer) + outer + sin[:, np.newaxis, np.newaxis] * skew
-    )
-    turn = turn @ pose.turn[0]
-    moved = _stirring(shape, place, turn)
-    inertia = float(across @ (pose.turn[0] @ shape.inertia @ pose.turn[0].T) @ across)
-    rates = [np.gradient(values, pose.dt) if len(values) > 1 else np.zeros(1) for values in (x, z, tilt)]
-    energy = 0.5 * (shape.mass * (rates[0] ** 2 + rates[1] ** 2) + inertia * rates[2] ** 2)
-    return Track(shape, moved, place[moved], turn[moved], energy[moved], pose.dt)
-
-
-def _stirring(shape: ConvexShape, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.intp]:
+def stirring(shape: ConvexShape, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.intp]:
     """Return the samples at which a body is elsewhere than at the sample before, and the first."""
     if not np.isfinite(place).all():
         return np.zeros(1, np.intp)

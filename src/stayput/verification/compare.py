@@ -20,7 +20,7 @@ from stayput.measures.element import weakest
 from stayput.mechanics.devices.columns import HOLDS
 from stayput.montecarlo.counting import Quantiles, members, severity
 from stayput.montecarlo.hazard import Hazard
-from stayput.montecarlo.sampling import Settings, sample_until_precise
+from stayput.montecarlo.sampling import FIRST_SAMPLES, Settings, sample_until_precise
 from stayput.progress import tally
 from stayput.simulation.placing import JOINT
 from stayput.verification.contents import contents_verdicts
@@ -61,6 +61,9 @@ LEVELS.setflags(write=False)
 
 LEVELS_IN_SPACE: NDArray[np.float64] = LEVELS[1::3]
 """Those of them that a verification in space takes, whose runs are longer."""
+
+FIRST_RUNS = 20
+"""Runs of a scene with each option after which there is a first answer, at least."""
 
 CAPACITIES = (0.1, 0.5)
 """Shares of overturning for which the intensity is given."""
@@ -126,7 +129,12 @@ def compare(
 
         # All options go on together, since they are compared sample by sample.
         here, samples, precise = sample_until_precise(
-            len(options), settings, run, together=True, on_batch=None if on_verdict is None else tell
+            len(options),
+            settings,
+            run,
+            together=True,
+            first=FIRST_SAMPLES if scenario.alone else -(-FIRST_RUNS // settings.motions),
+            on_batch=None if on_verdict is None else tell,
         )
         verdict = so_far(here, samples)
         if search:

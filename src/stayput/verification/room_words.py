@@ -171,7 +171,8 @@ def _label(option: OptionVerdict, verdict: Verdict) -> Phrase:
     """Return the same within a sentence: of options in a file their titles, else what changes."""
     if verdict.scenario.options:
         return title(option.option, verdict, "en"), title(option.option, verdict, "ja")
-    return joined(label_of(change, verdict) for change in verdict.changes(option))
+    changes = verdict.changes(option)
+    return joined(label_of(change, verdict) for change in changes) if changes else phrase("rooms.as_it_is")
 
 
 def piece_changed(option: OptionVerdict, verdict: Verdict) -> tuple[Probability, Difference] | None:
