@@ -1,6 +1,7 @@
 """Grades of the inputs beside the numbers, and quick estimates that are far from the simulation."""
 
 import csv
+import html
 import io
 import json
 from dataclasses import replace
@@ -20,7 +21,8 @@ from stayput.verification.notes import APART, notes
 from stayput.verification.options import grade, inputs, weakest
 
 MINE = {"width": 0.4, "height": 1.8, "mass": 90.0}
-ROOM = {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
+WALL = {"gap": 0.02, "construction": "stud"}
+ROOM = {"floor": "wood flooring", "left_wall": WALL, "ceiling": {"height": 2.4}}
 OWN_FLOOR = {**ROOM, "floor": {"static_friction": 0.5}}
 
 
@@ -47,6 +49,8 @@ def test_a_grade_is_that_of_the_weakest_input_that_decides():
     assert {one.label[0] for one in weakest(option(LBracket()), scenario())} == {
         "screwed L-brackets: strength of one"
     }
+    unknown = {**ROOM, "left_wall": {"gap": 0.02}}
+    assert grade(option(LBracket(strength=1200.0)), scenario(room=unknown)) is Grade.C  # studs or not
 
 
 def test_what_the_user_gives_counts_as_known():
@@ -96,12 +100,14 @@ def test_every_measure_that_holds_by_strength_or_grip_says_what_decides():
 def test_every_form_of_a_verdict_carries_the_grades(language):
     verdict = verdict_cases.made()
     place = 0 if language == "en" else 1
-    for text in (report_html(verdict, language), verdict_markdown(verdict, language).replace("\\", "")):
+    for text in (
+        html.unescape(report_html(verdict, language)),
+        verdict_markdown(verdict, language).replace("\\", ""),
+    ):
         assert MEANINGS[Grade.C][place] in text
         for note in verdict.notes(language):
             assert note.replace("ζ", "") in text.replace("ζ", "").replace("\N{NO-BREAK SPACE}", " ")
-    html = report_html(verdict, language)
-    assert html.count("tag gradeC") >= 2 * len(verdict.options)
+    assert report_html(verdict, language).count("tag gradeC") >= 2 * len(verdict.options)
     data = json.loads(verdict.to_json())
     assert [one["grade"] for one in data["options"]] == ["C", "C", "C"]
     assert data["options"][0]["inputs"][0]["en"] == "size and mass of the piece"

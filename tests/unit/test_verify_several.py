@@ -17,7 +17,7 @@ from stayput.model.room import SURFACES
 from stayput.model.soft_base import rigid_half_base
 from stayput.montecarlo.sampling import draws
 from stayput.montecarlo.scenes import drawn_scene, draws_of_several, replay
-from stayput.report.verdict.assumptions import assumptions, assumptions_of_room, settlement_assumptions
+from stayput.report.verdict.assumptions import assumptions, settlement_assumptions
 from stayput.scenario import Scenario
 from stayput.simulation.placing import placed
 from stayput.verification.options import compared_options
@@ -126,7 +126,6 @@ def test_measures_of_a_piece_are_in_place_as_stated() -> None:
     [
         ({"options": [option("x", "y", "belt")]}, "must be one of .lower., .upper., .vase."),
         ({"options": [option("x", "vase", "belt")]}, "preset"),
-        ({"uncertainty": {"installation": 0.5}}, "must be 'well'"),
         (
             {"options": [{"name": "x"}, {"name": "y"}, {"name": "x"}]},
             r"^options\[2\].name is 'x'; it must not be that of options\[0\]",
@@ -226,7 +225,7 @@ def test_assumptions_are_of_what_is_there() -> None:
         if scenario.plan is None:
             return {one.what[0]: one.confidence for one in assumptions(sp.verify(scenario))}
         verdict = sp.verify(scenario, changes=False)
-        return {one.what[0]: one.confidence for one in assumptions_of_room(verdict)}
+        return {one.what[0]: one.confidence for one in assumptions(verdict)}
 
     drum = {"name": "drum", "diameter": 0.3, "height": 0.7, "mass": 5.0}
     alone = {"furniture": drum, "joints": [], "room": {"left_wall": {"gap": 0.1}}}
@@ -337,6 +336,27 @@ def test_what_is_written(verdict: Verdict, tmp_path: Path) -> None:
         assert verdict.sentence(language).split("(")[0] in verdict.to_markdown(language).replace("\\", "")
 
 
-def test_levels_are_refused() -> None:
-    with pytest.raises(sp.InputError, match="no fragility curves"):
-        sp.verify(parsed(), levels=[5.0])  # type: ignore[call-overload]
+def test_curves_of_several_are_asked_for_and_settle_what_stronger_shaking_leaves_standing() -> None:
+    shaking = {"intensity": "6-lower", "suite": {"family": "near-fault", "count": 4}}
+    held = {"options": [option("belts", "upper", "belt")]}
+    scenario = parsed(shaking=shaking, uncertainty={"samples": 8}, **held)
+    levels = [4.2, 4.6, 6.8]
+    found, every = (
+        sp.verify(scenario, levels=levels, every_run=every, progress=False) for every in (False, True)
+    )
+    assert found.settled > 0 == every.settled
+    assert found.runs + found.settled == every.runs
+    for one, other in zip(found.options, every.options, strict=True):
+        assert one.curves
+        (jma, *_), (again, *_) = (list(each.curves.values()) for each in (one, other))
+        assert [level.probability for level in jma.levels] == [level.probability for level in again.levels]
+        assert jma.levels[-1].probability.estimate >= jma.levels[0].probability.estimate
+
+
+def test_badly_installed_measures_of_several_are_told() -> None:
+    held = {"options": [option("belts", "upper", "belt")]}
+    found = sp.verify(parsed(**held, uncertainty={"samples": 2, "installation": 0.4}), progress=False)
+    belts = next(one for one in found.options if one.option.name == "belts")
+    assert belts.installed is not None
+    assert belts.installed.share == 0.4
+    assert found.without.installed is None

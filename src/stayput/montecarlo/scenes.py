@@ -24,7 +24,7 @@ from stayput.montecarlo.sampling import AS_STATED, Draw, drawn_body, drawn_floor
 from stayput.simulation.groups import Group, groups_at_first, run_in_groups
 from stayput.simulation.placing import planes_around, room_seen
 from stayput.simulation.scene import STRENGTH_RANGE, Scene
-from stayput.simulation.space import results_of, run_of_trace, trace_groups, trace_together
+from stayput.simulation.space import names_of, results_of, run_of_trace, trace_groups, trace_together
 from stayput.simulation.space_engine import STEP, SpaceShaking
 from stayput.uncertainty import QUANTITIES, Uncertainty, Uniform
 
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.catalogue import Phrase
     from stayput.model.floor_plan import FloorPlan
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.motion.record import Motion
@@ -369,10 +370,10 @@ class _Parts:
     def __init__(self, scene: Scene) -> None:
         self.scene, self.at_first, self._known = scene, groups_at_first(scene), dict[Group, Any]()
 
-    def part(self, group: Group) -> tuple[Scene, list[str], str]:
+    def part(self, group: Group) -> tuple[Scene, list[str | Phrase], str]:
         """Return the scene of a group, how refusals call its pieces, and what tells it from other groups."""
         if group not in self._known:
-            part, called = self.scene.part(group), [self.scene.called(number) for number in group]
+            part, called = self.scene.part(group), names_of(self.scene, group)
             stands = [(piece.at, piece.heading, piece.measures) for piece in part.pieces]
             self._known[group] = part, called, repr((group, stands, part.joints, part.room))
         return self._known[group]
@@ -408,7 +409,7 @@ def trace_draw(
     draw: DrawOfSeveral,
     shaking: SpaceShaking,
     gravity: float,
-    names: Sequence[str] = (),
+    names: Sequence[str | Phrase] = (),
     step: float = STEP,
 ) -> Trace:
     """Run the pieces of a scene together under one draw and its `drawn_shaking`; see `trace_together`."""

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.catalogue import Phrase
     from stayput.measures.measure import Measure
     from stayput.model.room import Wall
     from stayput.simulation.scene import Joint, Scene
@@ -238,7 +239,7 @@ def placed(
     scene: Scene,
     strength: float = 1.0,
     drawn_floor: Callable[[Floor], Floor] = lambda floor: floor,
-    names: Sequence[str] = (),
+    names: Sequence[str | Phrase] = (),
 ) -> tuple[Placed, ...]:
     """Return the bodies of a scene with their measures in place.
 

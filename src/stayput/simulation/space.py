@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.catalogue import Phrase
     from stayput.measures.element import DeviceResult
     from stayput.measures.measure import Held
     from stayput.model.room import Floor, Room
@@ -123,10 +124,15 @@ def trace_scene(scene: Scene, shaking: SpaceShaking, gravity: float, step: float
     """
 
     def run(group: Group) -> Trace:
-        names = [scene.called(number) for number in group]
-        return trace_together(scene.part(group), shaking, gravity, step, names=names)
+        return trace_together(scene.part(group), shaking, gravity, step, names=names_of(scene, group))
 
     return trace_groups(scene, run, shaking.dt)
+
+
+def names_of(scene: Scene, numbers: Sequence[int]) -> list[str | Phrase]:
+    """Return how refusals call some pieces of a scene: "the piece" where it is alone and has no name."""
+    alone = len(scene.pieces) == 1 and not scene.pieces[0].name
+    return [phrase("simulation.the_piece") if alone else scene.called(number) for number in numbers]
 
 
 def trace_groups(scene: Scene, run: Callable[[Group], Trace], dt: float) -> Trace:
@@ -166,7 +172,7 @@ def trace_together(
     step: float = STEP,
     strength: float = 1.0,
     drawn_floor: Callable[[Floor], Floor] = lambda floor: floor,
-    names: Sequence[str] = (),
+    names: Sequence[str | Phrase] = (),
 ) -> Trace:
     """Run the pieces of a scene as one group.
 
@@ -179,9 +185,9 @@ def trace_together(
     drawn_floor : callable
         Draws what measures put between a piece and the floor.
     names : sequence of str
-        How refusals call the pieces; by default as `Scene.called`.
+        How refusals call the pieces; by default as `names_of`.
     """
-    called = names or [scene.called(number) for number in range(len(scene.pieces))]
+    called = names or names_of(scene, range(len(scene.pieces)))
     bodies = placed(scene, strength, drawn_floor, called)
     planes = planes_around(scene.pieces, scene.around)
     joints = joint_springs([body.piece for body in bodies], scene.joints)
@@ -223,12 +229,22 @@ def trace_case(
     room["ceiling_distance"] = max(float(case["ceiling_distance"]), -body.piece.reach(NORMALS["ceiling"])[0])
     planes, none = planes_of([body.piece], room), joint_springs([body.piece], ())
     shaken = SpaceShaking(float(case["scale"]) * shaking.acceleration, shaking.dt)
-    return _traced((body,), (), planes, none, (0.0, 0.0), shaken, float(case["gravity"]), step, lies)
+    return _traced(
+        (body,),
+        [phrase("simulation.the_piece")],
+        planes,
+        none,
+        (0.0, 0.0),
+        shaken,
+        float(case["gravity"]),
+        step,
+        lies,
+    )
 
 
 def _traced(
     bodies: tuple[Placed, ...],
-    names: Sequence[str],
+    names: Sequence[str | Phrase],
     planes: NDArray[np.void],
     joints: NDArray[np.void],
     between: tuple[float, float],
@@ -243,9 +259,8 @@ def _traced(
     acceleration, dt = shaking.acceleration, shaking.dt
 
     world = world_of(solids, floors, planes, between)
-    called = names if len(bodies) > 1 else [phrase("simulation.the_piece")]
     held, poses = np.concatenate(springs), np.stack([body.pose for body in bodies])
-    trace = run_world(world, poses, held, acceleration, dt, step, gravity, lies, called)
+    trace = run_world(world, poses, held, acceleration, dt, step, gravity, lies, names)
     return Trace(bodies, planes, trace, gravity)
 
 
