@@ -75,14 +75,14 @@ class PlaceVerdict:
     shut_in: Probability
 
     @property
-    def by_day(self) -> float:
+    def by_day(self) -> Probability:
         """Chance that somebody is there by day and is hit."""
-        return self.place.day * self.hit.estimate
+        return self.hit.scaled(self.place.day)
 
     @property
-    def by_night(self) -> float:
+    def by_night(self) -> Probability:
         """Chance that somebody is there at night and is hit."""
-        return self.place.night * self.hit.estimate
+        return self.hit.scaled(self.place.night)
 
 
 @dataclass(frozen=True, slots=True)
@@ -250,8 +250,8 @@ class RoomVerdict(InJson):
         Median JMA intensity of the ground.
     hit : Probability
         That anybody who is there is hit.
-    shut_in : Probability
-        That anybody is shut in.
+    shut_in, blocked : Probability
+        That anybody is shut in; that any door is blocked.
     risk : float
         Chance that a person is hit, weighted by how long somebody is at each place.
     places : tuple of PlaceVerdict
@@ -291,6 +291,7 @@ class RoomVerdict(InJson):
     intensity: float
     hit: Probability
     shut_in: Probability
+    blocked: Probability
     risk: float
     places: tuple[PlaceVerdict, ...]
     doors: tuple[DoorVerdict, ...]

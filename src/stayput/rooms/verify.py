@@ -200,6 +200,7 @@ def verdict_of(question: Question, state: RoomState, slide_limit: float) -> Room
         intensity=question.floors.median_intensity,
         hit=probability(anybody(hits, shape), missing),
         shut_in=probability(anybody(events.shut_in, shape), missing),
+        blocked=probability(anybody(events.blocked, shape), missing),
         risk=risk_of(hits, plan.places, missing),
         places=tuple(_place(number, question, masses, as_it_is) for number in range(len(plan.places))),
         doors=tuple(

@@ -37,8 +37,8 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
             {
                 "name": place.place.name,
                 "hit": interval_data(place.hit),
-                "hit_by_day": number(place.by_day),
-                "hit_at_night": number(place.by_night),
+                "hit_by_day": number(place.by_day.estimate),
+                "hit_at_night": number(place.by_night.estimate),
                 "shut_in": interval_data(place.shut_in),
                 "by": [
                     {

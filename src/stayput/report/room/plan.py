@@ -254,7 +254,11 @@ def room_plan(verdict: RoomVerdict, language: str) -> str:
 
     notes = {piece.name: text("overturns", piece.probabilities[OVERTURNED]) for piece in verdict.pieces}
     notes |= {place.place.name: text("is_hit", place.hit) for place in verdict.places}
-    notes |= {door.door.name: text("is_blocked", door.blocked) for door in verdict.doors}
+    already = say("rooms.already", language)
+    notes |= {
+        door.door.name: already if door.at_rest else text("is_blocked", door.blocked)
+        for door in verdict.doors
+    }
     kinds = [table.kind for table in verdict.scenario.places]
     return plan_svg(verdict.plan, _pieces(verdict), kinds, language, notes=notes).svg
 

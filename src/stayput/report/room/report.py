@@ -60,20 +60,27 @@ def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
         return tuple(say(f"rooms.{key}", language) for key in keys)
 
     def chance(value: Probability) -> str:
-        return numbers.with_interval(value, language)
+        return say(value.texts, language)
 
     hits: list[tuple[str, ...]] = []
     for place in verdict.places:
-        shares = (numbers.share(share, language) for share in (place.by_day, place.by_night))
+        shares = (numbers.probability(share, language) for share in (place.by_day, place.by_night))
         name = say(place_name(place.place), language)
         hits.append((name, *texts("any_piece"), chance(place.hit), *shares, "", "", ""))
         for hit in place.by:
             strength = numbers.speed(hit.speed.median), numbers.energy(hit.energy.median)
             name = say(piece_name(hit.piece), language)
             hits.append(("", name, chance(hit.probability), "", "", *strength, numbers.mass(hit.mass)))
-    ways = [(phrase("rooms.door_blocked", door=door_name(door.door)), door.blocked) for door in verdict.doors]
+    already = say("rooms.already", language)
+    ways = [
+        (
+            phrase("rooms.door_blocked", door=door_name(door.door)),
+            already if door.at_rest else chance(door.blocked),
+        )
+        for door in verdict.doors
+    ]
     shut_in = verdict.places if any(door.door.way_out for door in verdict.doors) else ()
-    ways += [(phrase("rooms.place_shut_in", place=place_name(p.place)), p.shut_in) for p in shut_in]
+    ways += [(phrase("rooms.place_shut_in", place=place_name(p.place)), chance(p.shut_in)) for p in shut_in]
     changes = [
         (
             change_label(change.change, verdict, language),
@@ -84,7 +91,6 @@ def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
         )
         for change in verdict.changes
     ]
-    stuck = any(door.at_rest for door in verdict.doors)
     return (
         TextTable(
             texts("who", "by", "chance", "day", "night", "speed", "energy", "mass"),
@@ -93,8 +99,7 @@ def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
         ),
         TextTable(
             texts("way", "chance"),
-            tuple((say(label, language), chance(blocked)) for label, blocked in ways),
-            *(texts("blocked_at_rest") if stuck else ()),
+            tuple((say(label, language), blocked) for label, blocked in ways),
         ),
         TextTable(texts("change", "hit_then", "hit_less", "shut_in_then", "overturned_then"), tuple(changes)),
     )
@@ -169,7 +174,7 @@ def room_html(verdict: RoomVerdict, language: str = "en") -> str:
                 "hit": place.hit,
                 "times": [
                     (
-                        numbers.share(chance, language),
+                        numbers.probability(chance, language),
                         say("room_report.presence", language, share=numbers.share(time, language)),
                     )
                     for chance, time in ((place.by_day, place.place.day), (place.by_night, place.place.night))
