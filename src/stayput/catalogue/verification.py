@@ -111,7 +111,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "held": (", ", "があると"),
     "well_held": (", well installed, ", "を正しく取り付けた場合、"),
     "contents_alone": ("And {clause}.", "また、{clause}。"),
-    "stands_but": ("It then stands, but {clause}{aside}.", "倒れなくても、{clause}{aside}。"),
+    "stands_but": ("It then mostly stands, but {clause}{aside}.", "倒れなくても、{clause}{aside}。"),
     # notes beside the numbers
     "field": (
         (

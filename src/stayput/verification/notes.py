@@ -238,7 +238,8 @@ def _estimate(verdict: Verdict) -> Iterator[Phrase]:
     assert verdict.estimates is not None
     formula = verdict.estimates.overturning_ratio
     simulated = verdict.without.probabilities[OVERTURNED]
-    if not abs(formula - simulated.estimate) > APART:  # nor where the simulation has no result
+    close = not abs(formula - simulated.estimate) > APART  # also where the simulation has no result
+    if close or simulated.low <= formula <= simulated.high:
         return
     yield phrase(
         "verification.estimate_differs",
