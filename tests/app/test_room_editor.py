@@ -175,12 +175,12 @@ def test_chances_are_told_as_the_server_tells_them(editor: Editor) -> None:
     ]
     rows = [{"estimate": one.estimate, "low": one.low, "high": one.high} for one in chances]
     script = """async (rows) => {
-      const { chance, share } = await import("/words.js");
-      return rows.map((row) => [share(row), chance(row)].map((text) => text.replaceAll("\u00a0", " ")));
+      const { brief, chance, share } = await import("/words.js");
+      return rows.map((row) => [share, chance, brief].map((told) => told(row).replaceAll("\u00a0", " ")));
     }"""
     said = editor.page.evaluate(script, rows)
     for one, told in zip(chances, said, strict=True):
-        assert told == [one.share[0], one.texts[0]], one
+        assert told == [one.share[0], one.texts[0], f"{one.brief} %"], one
 
 
 def test_how_many_runs_a_file_asks_for_is_one_of_the_choices(editor: Editor) -> None:

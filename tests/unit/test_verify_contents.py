@@ -118,7 +118,8 @@ def test_what_comes_out_is_of_the_measure_that_is_named(verdict):
     installed = AsInstalled(0.2, (("loosely", "緩く"),), verdict.best.probabilities, chances)
     usual = replace(verdict, options=(replace(verdict.best, installed=installed), verdict.without))
     assert (
-        "With screwed L-brackets, as people install such devices, it overturns in under 63 %. " in usual.sentence()
+        "With screwed L-brackets, as people install such devices, it overturns in under 63 %. "
+        in usual.sentence()
     )
     assert named.format("well installed, ", share) in usual.sentence()
     assert "を正しく取り付けた場合、本の" in usual.sentence("ja")

@@ -2,7 +2,7 @@
 
 import { bar } from "../bars.js";
 import { el, fill, part } from "../dom.js";
-import { both, chance, number, percent, share, t } from "../words.js";
+import { both, chance, number, perCent, share, t } from "../words.js";
 import { capital, quantile } from "./amounts.js";
 import { kindName } from "./kinds.js";
 
@@ -75,7 +75,7 @@ function pieces(result) {
       p.overturned,
       hint(
         [
-          risk > 0 ? t("contributes", { share: percent(risk / all) }) : "",
+          risk > 0 ? t("contributes", { share: t("about", { share: perCent(10 * Math.round((10 * risk) / all)) }) }) : "",
           inTheWay(result, name),
           t("pieceSlides", { share: share(p.slid) }),
           p.device_failed?.estimate > 0 ? t("pieceFails", { share: share(p.device_failed) }) : "",

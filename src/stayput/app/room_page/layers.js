@@ -1,7 +1,7 @@
 // What a verdict says, on the plan: where each piece falls and comes to stand, who is hit, which door stays shut.
 
 import { svg } from "../dom.js";
-import { share, t } from "../words.js";
+import { brief, t } from "../words.js";
 import { DEFAULTS } from "./kinds.js";
 
 /** What can be shown of a verdict. */
@@ -89,7 +89,7 @@ export function notes(result, shown, what) {
 }
 
 function note(key, chance) {
-  const text = share(chance);
+  const text = brief(chance);
   return { text: t(key, { share: text }), share: text };
 }
 
