@@ -264,18 +264,18 @@ def student(units: int, confidence: float = CONFIDENCE) -> float:
     return float(stdtrit(max(units - 1, 1), 0.5 + 0.5 * confidence))
 
 
-def design_effect(fell: NDArray[np.float64], runs: NDArray[np.float64]) -> float:
+def design_effect(fell: NDArray[np.float64], runs: NDArray[np.float64], added: float = _WEIGHT) -> float:
     """Return the design effect of counts by motion: 1 if runs are independent, runs a motion if all alike.
 
-    Of one motion it is 1.
+    Of one motion it is 1. ``added`` is the weight, in runs, of each of the two motions that are added.
     """
     k, n = fell[runs > 0.0], runs[runs > 0.0]
     if len(n) == 1:
         return 1.0
     size = float(n.mean())
-    weight = _WEIGHT / size
-    total = float(n.sum()) + 2.0 * _WEIGHT
-    p = (float(k.sum()) + _WEIGHT) / total
+    weight = added / size
+    total = float(n.sum()) + 2.0 * added
+    p = (float(k.sum()) + added) / total
     scatter = float(((k - p * n) ** 2).sum()) + weight * size * size * (p * p + (1.0 - p) ** 2)
     return min(max(scatter / total / (p * (1.0 - p)), 1.0), max(size, 1.0))
 
