@@ -115,9 +115,9 @@ def interval_coverage(
             low, high = np.array([interval(k, each) for k in fell]).T
             held[place, number] = np.mean((low <= p) & (p <= high))
             width[place, number] = np.mean(high - low) / could_be
-    index = pd.MultiIndex.from_tuples(cells, names=["motions", "draws", "rho", "probability"])
     found = {"coverage": (("interval", "cell"), held), "width": (("interval", "cell"), width)}
-    of_cell = {name: ("cell", index.get_level_values(name).to_numpy()) for name in index.names}
+    names_of_cell = "motions", "draws", "rho", "probability"
+    of_cell = {name: ("cell", row) for name, row in zip(names_of_cell, np.array(cells).T, strict=True)}
     data = xr.Dataset(found, {"interval": names, **of_cell})
     rows = [
         {"interval": name, "motions": count, "least coverage [%]": 100.0 * held[n, of].min()}
@@ -125,7 +125,7 @@ def interval_coverage(
         | {"median coverage [%]": 100.0 * np.median(held[n, of]), "median width": np.median(width[n, of])}
         for n, name in enumerate(names)
         for count in motions
-        for of in [index.get_level_values("motions") == count]
+        for of in [np.array([cell[0] == count for cell in cells])]
     ]
     figure, axes = panels(2)
     for axis, values in zip(axes, (100.0 * held, width), strict=True):

@@ -159,7 +159,8 @@ def test_it_says_the_verdict_and_every_number_of_it(page):
         assert numbers.change(one.hit_change, language) in told
     for number in ("6.27", "4,321", "77", "stayput"):
         assert number in told
-    assert numbers.share(verdict.risk, language) in told
+    risk = verdict.hit.scaled(verdict.risk / verdict.hit.estimate)
+    assert numbers.probability(risk, language) in told
     assert ("15 cm") in told
 
 
@@ -175,7 +176,7 @@ def test_the_tables_hold_the_numbers_of_their_rows():
         (("2.1 m/s", "3.2 m/s"), ("32 J", "1.8 kJ")),
     ]
     pieces = piece_rows(verdict, "en")
-    assert [row["risk"] for row in pieces] == ["12 %", "2 %"]
+    assert [row["risk"] for row in pieces] == ["10 %", "2 %"]
     assert pieces[0]["slide"] == ("2.1 cm", "4.3 cm")
     assert [row["engine"] for row in pieces] == ["in the plane across its length", "in space"]
 

@@ -161,6 +161,7 @@ def room_html(verdict: RoomVerdict, language: str = "en") -> str:
     content = {
         **shared_content(verdict, "room_report", kind, SHEETS, assumptions_of_room(verdict), language),
         "headline": headline,
+        "risk": _risk(verdict.risk, verdict.hit, language),
         "others": others,
         "simulations": simulations_of_room(verdict, language),
         "plan": Markup(room_plan(verdict, language)),
@@ -203,6 +204,11 @@ def room_html(verdict: RoomVerdict, language: str = "en") -> str:
     return rendered("room/room.html", content)
 
 
+def _risk(risk: float, hit: Probability, language: str) -> str:
+    """Return a chance of being hit that counts how long somebody is there, as finely as that of a hit."""
+    return numbers.probability(hit.scaled(risk / hit.estimate if hit.estimate else 1.0), language)
+
+
 def hit_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
     """Return what hits each place, the most frequent first: median and 90 % quantile of speed and energy."""
     return [
@@ -228,7 +234,7 @@ def piece_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
             "overturned": piece.probabilities[OVERTURNED],
             "slid": piece.probabilities[SLID],
             "slide": numbers.slides(piece.slide, room, language),
-            "risk": numbers.share(piece.risk, language) if verdict.places else numbers.NO_NUMBER,
+            "risk": _risk(piece.risk, verdict.hit, language) if verdict.places else numbers.NO_NUMBER,
             "engine": say(f"room_report.{'in_plane' if piece.in_plane else 'in_space'}", language),
         }
         for piece in verdict.pieces
@@ -265,7 +271,7 @@ def change_rows(verdict: RoomVerdict, language: str) -> list[dict[str, Any]]:
                 "shut_in_change": change(result.shut_in_change),
                 "overturned": None if overturned is None else overturned[0],
                 "overturned_change": "" if overturned is None else change(overturned[1]),
-                "risk": numbers.share(result.risk, language),
+                "risk": _risk(result.risk, result.hit, language),
             }
         )
     return sorted(rows, key=lambda row: KINDS.index(row["kind"]))
