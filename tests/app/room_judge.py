@@ -108,7 +108,8 @@ def made() -> dict[str, Any]:
     return {
         "complete": True,
         "verdict": words(
-            "In 8 of 10 earthquakes the bookcase falls on whoever is in the bed (95 % interval: 60 to 90 %).",
+            "In about 80 % of earthquakes the bookcase falls on whoever is in bed "
+            "(95 % interval: 60 to 90 %).",
             "「本棚」がベッドにいる人に当たります。",
         ),
         "best": words("Best single change: bookcase moved.", "最も効果のある変更：「本棚」を移動。"),

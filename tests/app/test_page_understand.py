@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import math
 import threading
 import tomllib
 from pathlib import Path
@@ -62,11 +63,16 @@ def shown(share: float) -> str:
 def test_the_verdict_has_its_probability(verified: tuple[Opened, dict]) -> None:
     it, verdict = verified
     without = next(one for one in verdict["options"] if not one["measures"])
-    overturned = without["probabilities"]["overturned"]["estimate"]
-    assert f"in {shown(overturned)} of such earthquakes" in it.text("#verdict")
+    overturned = without["probabilities"]["overturned"]
+    ends = f"{shown(overturned['low'])[:-2]} to {shown(overturned['high'])}"
+    assert f"in {ends} of such earthquakes" in it.text("#verdict")
     assert "With screwed L-brackets" in it.text("#verdict")
     assert it.page.get_attribute("#verdict", "aria-live") == "polite"
-    assert it.page.locator("#tens .fell").count() == round(10 * overturned)
+    figure = it.page.locator("#tens figure").first
+    surely, may = math.floor(10 * overturned["low"]), math.ceil(10 * overturned["high"])
+    assert figure.locator(".fell:not(.unsure)").count() == surely
+    assert figure.locator(".fell.unsure").count() == may - surely
+    assert f"Without measures: {ends} fall" in figure.inner_text().replace("\u00a0", " ")
 
 
 def test_the_ranking_is_the_verdicts(verified: tuple[Opened, dict]) -> None:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import pytest
 from browsing import DESK, PHONE
 from room_editing import ROOM, editing
 
 import stayput as sp
 from long_cases import long
-from stayput.fragility.probabilities import percent
+from stayput.fragility.probabilities import percent, probability_of_counts
 from stayput.scenario.pieces import PieceTable
 from stayput.scenario.plan import DoorTable, PlaceTable, WindowTable
 
@@ -157,6 +158,29 @@ def test_shares_are_rounded_as_the_server_rounds_them(editor: Editor) -> None:
     shares = [hit / runs for runs in (20, 40, 60, 200) for hit in range(runs + 1)]
     for share, said in zip(shares, editor.page.evaluate(told, shares), strict=True):
         assert {one.replace("\u00a0", " ") for one in said} == {f"{percent(share)} %"}, share
+
+
+def test_chances_are_told_as_the_server_tells_them(editor: Editor) -> None:
+    chances = [
+        probability_of_counts(np.full(motions, fell), np.full(motions, samples), missing)
+        for motions, samples, missing in (
+            (1, 1, 0),
+            (1, 400, 0),
+            (3, 2, 1),
+            (20, 40, 0),
+            (40, 10, 2),
+            (400, 50, 0),
+        )
+        for fell in range(samples + 1)
+    ]
+    rows = [{"estimate": one.estimate, "low": one.low, "high": one.high} for one in chances]
+    script = """async (rows) => {
+      const { brief, chance, share } = await import("/words.js");
+      return rows.map((row) => [share, chance, brief].map((told) => told(row).replaceAll("\u00a0", " ")));
+    }"""
+    said = editor.page.evaluate(script, rows)
+    for one, told in zip(chances, said, strict=True):
+        assert told == [one.share[0], one.texts[0], f"{one.brief} %"], one
 
 
 def test_how_many_runs_a_file_asks_for_is_one_of_the_choices(editor: Editor) -> None:

@@ -107,7 +107,7 @@ def test_two_rooms_are_compared_under_one_earthquake(it: Opened, judge: Judge) -
         "Door: stays blocked",
         *("Bookcase overturns", "Chest of drawers overturns", "Wardrobe overturns"),
     ]
-    assert "0 points (−14 to +14)" in rows[0]
+    assert rows[0].endswith("no clear difference")
     assert "no clear difference" in it.text("#compared")
     it.page.get_by_role("button", name="Close the comparison").click()
     assert not it.page.locator("#comparison").is_visible()
@@ -140,7 +140,7 @@ def test_a_comparison_says_which_room_is_better_and_how_sure_that_is(
         it.page.click("#compare")
         it.page.wait_for_selector("#comparison table")
         assert it.text("#compared").splitlines()[0] == (
-            "Somebody is hit: 10 % in “B” instead of 80 %; difference: −70 points (−80 to −54)."
+            "Somebody is hit: about 10 % in “B” instead of about 80 %; difference: −80 to −54 points."
         )
         assert "not there" in it.text("#comparison table")  # the door of the one
         assert it.page.evaluate("document.documentElement.scrollWidth <= innerWidth")

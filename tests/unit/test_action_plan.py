@@ -24,7 +24,7 @@ from stayput.mechanics.devices.columns import DEVICE
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.report.room.card import plan_html
 from stayput.report.room.elevation import ELEVATION_SCALES, SIZES, elevation_scale, size_on_paper, sizes_of
-from stayput.rooms.step_words import changes_nothing, checks, too_weak, what_it_brings, with_ends
+from stayput.rooms.step_words import changes_nothing, checks, too_weak, what_it_brings
 from stayput.rooms.steps import (
     COST_CLASSES,
     MARGIN,
@@ -42,7 +42,7 @@ from stayput.verification.changes import Change, with_changes
 from stayput.verification.contest import Contest
 from stayput.verification.options import inputs_of_piece
 from stayput.verification.room_words import people_in, piece_name
-from stayput.verification.words import class_phrase, share_text
+from stayput.verification.words import class_phrase
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -187,7 +187,7 @@ def test_what_still_falls_is_said(plan: sp.ActionPlan):
     before = plan.verdict
     nothing = replace(plan, steps=(), unsolved=("bookcase",))
     chance = next(one for one in before.without.pieces if one.name == "bookcase").probabilities["overturned"]
-    told = phrase("action_plan.piece_falls", piece=piece_name("bookcase"), was=share_text(chance.estimate))
+    told = phrase("action_plan.piece_falls", piece=piece_name("bookcase"), was=chance.share)
     for number, language in enumerate(LANGUAGES):
         assert told[number] in plan_html(nothing, language).replace("\xa0", " ")
     assert "helps with: bookcase" in plan_html(nothing)
@@ -304,7 +304,7 @@ def test_a_tenant_is_told_what_else_can_be_done():
         page = html.unescape(plan_html(rented, language)).replace("\xa0", " ")
         for key in ("ask_landlord", "out_of_reach", "drilled"):
             assert say(f"action_plan.{key}", language) in page
-        assert with_ends(fix.overturns)[LANGUAGES.index(language)] in page
+        assert fix.overturns.texts[LANGUAGES.index(language)] in page
         unsolved = html.unescape(plan_html(nothing, language))
         assert say("action_plan.drilled_on", language, piece=piece_name("bookcase")) in unsolved
         assert say("action_plan.ask_landlord", language) in unsolved
@@ -392,7 +392,7 @@ def test_a_step_that_helps_only_with_others_says_with_which(plan: sp.ActionPlan)
     names = ("hit", "shut_in", "blocked")
     outlooks = {name: getattr(now, name)._replace(change=same) for name in names}
     idle = replace(step.alone, people=replace(people, **outlooks))
-    assert changes_nothing(idle)
+    assert changes_nothing(idle, plan)
     first, second = replace(step, alone=idle, together=idle), replace(step, alone=idle)
     pair = replace(plan, steps=(first, second))
     only, told = list(what_it_brings(1, pair)), list(what_it_brings(2, pair))

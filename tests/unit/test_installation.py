@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.fragility.probabilities import percent
 from stayput.measures import MEASURES, Belt, GelMats, LBracket, LBracketInBoard, TensionPole, WedgeStopper
 from stayput.measures.measure import FAULTY
 from stayput.montecarlo.counting import OVERTURNED
@@ -137,10 +136,10 @@ def test_a_difference_that_cannot_be_seen_is_called_none(usual):
     held = bracket.probabilities[OVERTURNED]
     alike = replace(bracket.installed, badly={OVERTURNED: held}, usual={OVERTURNED: held.estimate})
     same = replace(bracket, installed=alike)
-    told = f"overturn, no visible difference from the {percent(held.estimate)} % when well installed: 23 % of"
+    told = f"{held.share[0]} overturn, no clear difference from when it is well installed: 23 % of"
     assert told in reason(same, usual, "en")
-    assert "と目立った差はありません（23%が" in reason(same, usual, "ja")
-    assert "visible" not in reason(bracket, usual, "en")
+    assert "と明らかな差はありません（23%が" in reason(same, usual, "ja")
+    assert "from when" not in reason(bracket, usual, "en")
 
 
 def test_cautions_and_the_weakest_link_stand_in_the_reason():

@@ -18,7 +18,7 @@ from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.report.verdict import svg
 from stayput.report.verdict.html import report_html, write_report
-from stayput.report.verdict.numbers import interval, share, word
+from stayput.report.verdict.numbers import interval, probability, word
 from stayput.report.verdict.pairs import pairs_of, place_of_the_measure
 from stayput.report.verdict.tables import ranking
 from stayput.verification.replays import drawn_run
@@ -44,7 +44,7 @@ def test_it_says_the_verdict_and_every_number_of_the_ranking(page):
         assert row.label in told
         for _, found in row.shares:
             if found is not None:
-                assert share(found.estimate, language) in told
+                assert probability(found, language) in told
                 assert interval(found, language) in told
         for middle, ends in row.capacities:
             assert middle in told
@@ -106,7 +106,7 @@ def test_a_typical_case_tells_how_often_the_measure_fails(page):
     _, held = bare_and_held(verdict)
     spared = "typical_never_falls" if chance.estimate == 0.0 else "typical_is_held"
     key = "typical_also_falls" if held.overturned else spared
-    assert word(key, language, share=share(chance.estimate, language)) in Page(text).words
+    assert word(key, language, share=chance.share) in Page(text).words
 
 
 def test_a_measure_with_which_nothing_falls_is_not_contrasted_with_0_percent():

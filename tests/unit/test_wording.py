@@ -13,7 +13,7 @@ import verdict_cases
 
 import stayput as sp
 from stayput.catalogue import LANGUAGES, earthquake, page, say
-from stayput.fragility.probabilities import percent, probability
+from stayput.fragility.probabilities import Probability, percent, probability, probability_of_counts
 from stayput.inventory.report import storey_map
 from stayput.inventory.summary import Total
 from stayput.measures import MEASURES, Belt, DeviceResult
@@ -224,4 +224,40 @@ def test_a_share_is_never_all_or_nothing_where_it_is_not():
     assert percent(0.3 - 0.1 - 0.2) == "0"
     assert percent(0.285) == "29"
     found = probability(np.arange(40_000).reshape(4000, 10) < 1)
-    assert found.text.startswith("<0.1 % (")
+    assert found.text == "under 0.1 %"
+
+
+@pytest.mark.parametrize(
+    ("ends", "brief", "words"),
+    [
+        ((0.6, 0.55, 0.65), "60", "about 60 %"),
+        ((0.6, 0.595, 0.605), "60", "about 60 %"),
+        ((0.83, 0.61, 0.94), "75", "about 75 %"),
+        ((0.37, 0.27, 0.48), "40", "about 40 %"),  # 25 would be outside the interval
+        ((0.13, 0.04, 0.33), "<33", "under 33 %"),  # 25 would be nearly twice as many
+        ((0.0, 0.0, 0.0878), "<9", "under 9 %"),
+        ((0.003, 0.0021, 0.0042), "<0.5", "under 0.5 %"),
+        ((1.0, 0.8221, 1.0), ">82", "over 82 %"),
+        ((0.25, 0.03, 0.78), "3–78", "3 to 78 %"),
+    ],
+)
+def test_a_share_is_told_as_finely_as_its_interval_allows(ends, brief, words):
+    estimate, low, high = ends
+    chance = Probability(estimate, low, high, 0, 40, 20, 0, 1.0)
+    assert (chance.brief, chance.share[0]) == (brief, words)
+    assert chance.share[1].strip("約未満超") == words.replace("about ", "").replace("under ", "").replace(
+        "over ", ""
+    ).replace(" to ", "～").replace(" %", "%")
+    assert (chance.ends[0] != "") == words.startswith("about")
+
+
+def test_no_rounded_share_leaves_its_interval():
+    for motions, samples in ((5, 4), (20, 2), (40, 10), (1, 400)):
+        for fell in range(motions * samples + 1):
+            runs = np.full(motions, samples)
+            chance = probability_of_counts(np.diff(np.linspace(0, fell, motions + 1).astype(int)), runs)
+            if chance.brief.isdigit():
+                assert chance.low <= int(chance.brief) / 100 <= chance.high
+            elif "–" not in chance.brief:
+                bound = float(chance.brief[1:]) / 100
+                assert bound >= chance.high if chance.brief[0] == "<" else bound <= chance.low

@@ -15,10 +15,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "piece_falls": ("{piece} {was}", "「{piece}」{was}"),
     "piece_falls_then": ("{piece} {was} → {now}", "「{piece}」{was}→{now}"),
     "only_falls": (
-        "with or without it, nobody is hit or shut in more often in these runs; but it falls less",
-        "計算した範囲では、人に当たる確率や外に出られなくなる確率は変わりませんが、倒れにくくなります",
+        "no clear difference in these runs in who is hit or shut in; but it falls less",
+        "計算した範囲では、人に当たる確率や外に出られなくなる確率に明らかな差はありませんが、倒れにくくなります",
     ),
-    "no_gain": ("in these runs it changes nothing", "計算した範囲では、何も変わりません"),
+    "no_gain": ("no clear difference in these runs", "計算した範囲では、明らかな差はありません"),
     "decided": ("your choice", "決めた変更"),
     "nothing": (
         "In the runs no piece hit anybody, blocked a door or overturned often: nothing has to be bought.",
@@ -172,7 +172,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "empty": ("empty it first; ", "中身を出してから動かす。"),
     # Effects
     "overturns": ("overturns {was} → {now}", "倒れる確率{was}→{now}"),
-    "unclear": ("{chance}, which may be chance", "{chance}（偶然の差かもしれません）"),
+    "unclear": ("{chance}; no clear difference", "{chance}（明らかな差なし）"),
     "alone": ("alone: {chance}", "これだけ行うと、{chance}"),
     "only_together": ("helps only together with {steps}", "これだけでは効かず、{steps}も必要です"),
     "after_others": ("after the steps above: {chance}", "上の項目に続けて行うと、{chance}"),

@@ -8,6 +8,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "unknown": ("unknown", "不明"),
     "seed": ("Seed", "乱数のシード"),
     "without": ("Without measures", "対策なし"),
+    "about": ("about {share}", "約{share}"),
     "under": ("under {share}", "{share}未満"),
     "over": ("over {share}", "{share}超"),
     # Controls of an animation

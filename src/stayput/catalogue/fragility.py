@@ -47,7 +47,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     # probabilities, differences and capacities in words
     "probability": ("{estimate} % ({low} to {high} %)", "{estimate}%（{low}～{high}%）"),
     "probability_unknown": ("unknown (no run)", "不明（計算なし）"),
-    "difference": ("{estimate} points ({low} to {high})", "{estimate}ポイント（{low}～{high}）"),
+    "difference": ("{low} to {high} points", "{low}～{high}ポイント"),
+    "no_clear_difference": ("no clear difference", "明らかな差なし"),
     "difference_unknown": ("unknown (no pair of runs)", "不明（対になる計算なし）"),
     "capacity": ("{value} ({ends})", "{value}（{ends}）"),
     "capacity_one_motion": ("{value} (one motion: no interval)", "{value}（地震動が1つのため区間なし）"),

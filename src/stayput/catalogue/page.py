@@ -10,6 +10,7 @@ SHARED = (
     "common.play",
     "common.speed",
     "common.time",
+    "common.about",
     "common.under",
     "common.without",
     "space.no_webgl",
@@ -288,12 +289,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "howLikely": ("How likely is it?", "どのくらい起こりやすいか"),
     "chanceWithout": (
-        "Without any measure it falls over in {share} of such earthquakes ({low} to {high}).",
-        "対策をしないと、このような地震の{share}で倒れます（{low}から{high}の範囲）。",
+        "Without any measure it falls over in {share} of such earthquakes.",
+        "対策をしないと、このような地震の{share}で倒れます。",
     ),
     "chanceOfRecord": (
-        "Without any measure it falls over in {share} of the cases under this record ({low} to {high}).",
-        "対策をしないと、この記録の揺れでは{share}の場合に倒れます（{low}から{high}の範囲）。",
+        "Without any measure it falls over in {share} of the cases under this record.",
+        "対策をしないと、この記録の揺れでは{share}の場合に倒れます。",
     ),
     "basisOfRecord": (
         "Simulations with this record: {runs}; friction, weight and strength of the devices were varied. {seconds} s of computing.",
@@ -304,11 +305,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{measures}：最後まで計算できた例がないため、分かりません。",
     ),
     "chanceWith": (
-        "With {measures} it falls over in {share} ({low} to {high}).",
-        "「{measures}」があると、倒れるのは{share}です（{low}から{high}の範囲）。",
+        "With {measures} it falls over in {share}.",
+        "「{measures}」があると、倒れるのは{share}です。",
     ),
-    "tens": ("{title}: falling, about {n} of 10", "{title}：10台のうち約{n}台が倒れる"),
-    "tensAlt": ("{title}: fallen, about {n} of 10 pieces", "{title}：10台のうち約{n}台が倒れている図"),
+    "shareBetween": ("{low} to {high}", "{low}～{high}"),
+    "chanceBetween": ("{share} ({ends})", "{share}（{ends}）"),
+    "tens": ("{title}: {share} fall (pale: not sure)", "{title}：{share}が倒れる（薄い色：不確か）"),
     "basis": (
         "Simulations: {runs}, with different earthquakes: {motions}; friction, weight and strength of the devices were varied too. {seconds} s of computing.",
         "{motions}種類の地震による{runs}回の計算から求めました。摩擦、重さ、器具の強さのばらつきも考えています。計算時間は{seconds}秒です。",

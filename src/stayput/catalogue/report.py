@@ -92,7 +92,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "capacity_short": ("{share} % overturn at intensity", "{share}%転倒の計測震度"),
     "change": ("Change from “Without measures”", "対策なしとの差"),
-    "points": ("points", "ポイント"),
     "why": ("Why", "理由"),
     "falls": ("overturned", "転倒"),
     "none": ("none", "なし"),
@@ -136,12 +135,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{without}で、結果がちょうど中程度だった計算です。どちらも同じ地震動・同じ標本です。",
     ),
     "typical_also_falls": (
-        "Of all runs with the measure {share} overturn, and this one does.",
-        "この対策では全計算の{share}が転倒し、この計算でも転倒します。",
+        "With the measure it overturns in {share} of the cases, and in this run.",
+        "この対策では{share}の場合に転倒し、この計算でも転倒します。",
     ),
     "typical_is_held": (
-        "Of all runs with the measure {share} overturn; this one does not.",
-        "この対策では全計算の{share}が転倒しますが、この計算では転倒しません。",
+        "With the measure it overturns in {share} of the cases, but not in this run.",
+        "この対策では{share}の場合に転倒しますが、この計算では転倒しません。",
     ),
     "typical_never_falls": (
         "None of the runs with the measure overturns, nor does this one.",

@@ -76,9 +76,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "this_record": ("this record", "この記録"),
     "this_motion": ("this one motion", "この1つの地震動"),
     # How often
-    "count_of": ("in {count} of {all:,} {cases}", "{cases}{all:,}回中{count}回で"),
-    "always": ("in all {cases}", "{cases}のすべてで"),
-    "rarely": ("in {share} of the {cases}", "{cases}の{share}で"),
+    "often": ("in {share} of {cases}", "{cases}の{share}で"),
     # The verdict
     "strength": ("In shaking of JMA intensity {strength}: ", "{strength}の揺れでは、"),
     "strength_scattered": (
@@ -95,11 +93,19 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{often}{piece}が滑って{place}にいる人に当たります{interval}",
     ),
     "nobody_hit": (
-        "in none of the {count} {cases} is anybody hit{interval}",
-        "{cases}{count}回のいずれでも、人に当たる家具はありません{interval}",
+        "in these runs nobody is hit; somebody may be {often}",
+        "計算した範囲では、人に当たる家具はありません（{often}当たる可能性は否定できません）",
     ),
     "no_places": ("no place of a person is given", "人のいる場所が指定されていません"),
     "blocked": ("{often} {door} stays blocked{interval}", "{often}{door}がふさがります{interval}"),
+    "blocked_already": (
+        "{door} is blocked already as the furniture stands, before any shaking",
+        "{door}は、揺れる前から家具でふさがっています",
+    ),
+    "shut_in_already": (
+        "so there is no way out before any shaking",
+        "揺れる前から外に出られません",
+    ),
     "shut_in": (
         "{often} there is no way out for whoever is {place}{interval}",
         "{often}{place}にいる人が外に出られなくなります{interval}",
@@ -132,9 +138,15 @@ TEXTS: dict[str, tuple[str, str]] = {
     "chance_of_shut_in": ("somebody is shut in", "外に出られなくなる"),
     "chance_of_blocked": ("a door is blocked", "ドアがふさがる"),
     "chance_of_overturned": ("it overturns", "倒れる"),
-    "falls": ("falls from {bare} to {held}", "{bare}から{held}に下がります"),
-    "rises": ("rises from {bare} to {held}", "{bare}から{held}に上がります"),
-    "stays": ("stays at {bare}", "{bare}のままです"),
+    "falls": (
+        "falls by {least} to {most} points, to {held}",
+        "{least}～{most}ポイント下がり、{held}になります",
+    ),
+    "rises": (
+        "rises by {least} to {most} points, to {held}",
+        "{least}～{most}ポイント上がり、{held}になります",
+    ),
+    "stays": ("does not clearly change", "明らかには変わりません"),
     # Changes that have been decided on
     "decided_unknown": (
         "{name} of a decided change is not in the room; it must be one of {there}.",
@@ -182,13 +194,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "way": ("Ways out", "避難経路"),
     "door_blocked": ("{door} blocked", "{door}がふさがる"),
     "place_shut_in": ("no way out: {place}", "{place}から外に出られない"),
-    "blocked_at_rest": (
-        "A door is blocked as the furniture stands.",
-        "家具を置いた状態で、すでにふさがっているドアがあります。",
-    ),
+    "already": ("blocked already", "揺れる前からふさがっている"),
     "change": ("Single change", "変更（1つだけ）"),
     "hit_then": ("hit then", "人に当たる確率"),
-    "hit_less": ("difference", "差"),
+    "hit_less": ("against now", "今と比べて"),
     "shut_in_then": ("shut in then", "外に出られない確率"),
     "overturned_then": ("the piece overturns then", "その家具が倒れる確率"),
     "more_changes": (
@@ -204,7 +213,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "more_blocked": ("door clearly blocked more often", "明らかにドアがふさがりやすくなる"),
     "fewer_overturned": ("clearly overturns less often", "明らかに倒れにくくなる"),
     "more_overturned": ("clearly overturns more often", "明らかに倒れやすくなる"),
-    "nothing_clear": ("may be chance", "はっきりした差なし"),
+    "nothing_clear": ("no clear difference", "明らかな差なし"),
     "simulations": (
         "{runs} runs of pieces: {motions} × {samples} Monte Carlo samples, as the room is and for each change.",
         "家具の計算{runs}回：{motions} × 不確かさの標本{samples}組を、現状と各変更について計算しました。",

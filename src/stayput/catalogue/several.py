@@ -19,10 +19,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "どの案も設置できないため、比較していません。",
     ),
     # Why an option stands where it does: clauses
-    "by_chance": (
-        "furniture overturns {held} instead of {bare}, which may be chance",
-        "転倒は接合・対策なしの{bare}に対し{held}ですが、偶然の差かもしれません",
-    ),
     "if_there": ("{option}", "「{option}」なら"),
     "it": ("furniture", "家具のいずれかが"),
     "none": ("joints and measures", "接合・対策"),
@@ -32,7 +28,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "loose": ("{name} overturns {falls}", "「{name}」は{falls}"),
     "joint_fails": ("mostly what joins {first} and {second}", "多くは「{first}」と「{second}」の接合部です"),
     "device_of": ("mostly on {name}: {weakest}", "多くは「{name}」で、{weakest}ことによります"),
-    "slides": ("in nine of ten no furniture slides by over {length}", "10回中9回は移動が{length}以内です"),
+    "slides": ("in 90 % no furniture slides by over {length}", "90%の場合は移動が{length}以内です"),
     # The report
     "report": ("Verification of several pieces of furniture", "複数の家具の地震対策の検証"),
     "about": (

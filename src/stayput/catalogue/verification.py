@@ -39,8 +39,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # the verdict in a sentence
     "falls": ("in {share} of the cases", "{share}の場合に転倒します"),
-    "never_falls": ("in none of the cases", "計算した場合のいずれでも転倒しません"),
-    "always_falls": ("in all of the cases", "すべての場合に転倒します"),
     "no_bare_run": (
         "No run without {none} could be followed to its end, so nothing can be said.",
         "{none}なしの計算が最後まで進まなかったため、判定できません。",
@@ -49,22 +47,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     "if_there": ("{option}", "{option}があれば"),
     "what": ("{name}", "この家具は"),
     "better": (
-        "In shaking of JMA intensity {strength} {what} overturns {falls}{bare}; with {option}, {then}{chance}.",
-        "{strength}の揺れで、{what}{falls}。{option}{then}。{chance}",
-    ),
-    "then_falls": ("in {share}", "{share}です"),
-    "then_never": ("in none", "、計算した場合のいずれでも転倒しません"),
-    "may_be_chance": (
-        ", which may be chance: the runs are too few",
-        "計算数が少なく、偶然の差かもしれません。",
+        "In shaking of JMA intensity {strength} {what} overturns {falls}{bare}; with {option}, in {share}.",
+        "{strength}の揺れで、{what}{falls}。{option}{share}です。",
     ),
     "stays_upright": (
         "In shaking of JMA intensity {strength} {what} stays upright without any measure{doubt}.",
         "{strength}の揺れでも、{what}対策なしで転倒しません{doubt}。",
     ),
     "not_ruled_out": (
-        " in these runs; up to {share} is not ruled out",
-        "（今回の計算の範囲では。{share}までの可能性は否定できません）",
+        " in these runs; it may overturn in {share} of the cases",
+        "（今回の計算の範囲では。{share}の場合に転倒する可能性は否定できません）",
     ),
     "bare_falls": (
         "In shaking of JMA intensity {strength} {what} overturns {falls}{bare}{more}.",
@@ -78,33 +70,32 @@ TEXTS: dict[str, tuple[str, str]] = {
     "no_run": ("No run could be followed to its end.", "最後まで進んだ計算がありません。"),
     "it": ("it", ""),
     "overturns": ("{it} overturns {falls}", "{it}{falls}"),
-    "about_as_often": (
-        "{it} overturns about as often as without {none}",
+    "no_clear_change": (
+        "no clear difference from without {none} in how often {it} overturns",
         "転倒する割合は{none}なしと明らかな差がありません",
     ),
-    "by_chance": (
-        "it overturns {held} instead of {bare}, which may be chance",
-        "転倒は対策なしの{bare}に対し{held}ですが、偶然の差かもしれません",
+    "less_often": (
+        "{it} overturns in {held} of the cases instead of {bare}",
+        "転倒は{bare}から{held}に減ります",
     ),
-    "less_often": ("{it} overturns {held} instead of {bare}", "転倒は{bare}から{held}に減ります"),
     "more_often": (
-        "{it} overturns more often than without {none}, {held}",
+        "{it} overturns more often than without {none}, in {held} of the cases",
         "転倒は{none}なしより増えて{held}です",
     ),
     "device_fails": ("a device fails in {share}", "器具は{share}の場合に破損または脱落します"),
     "gives_way": ("mostly {weakest}", "多くは{weakest}ことによります"),
     "caution": ("caution: {caution}", "注意：{caution}"),
     "slides_far": (
-        "in one of ten or more it slides by over {far:g} m, as no wall in front or behind stops it",
-        "10回に1回以上は{far:g} mを超えて移動します（止める壁がありません）",
+        "in 10 % or more it slides by over {far:g} m, as no wall in front or behind stops it",
+        "10%以上の場合に{far:g} mを超えて移動します（止める壁がありません）",
     ),
-    "slides": ("in nine of ten it slides by {length} at most", "10回中9回は移動が{length}以内です"),
+    "slides": ("in 90 % it slides by {length} at most", "90%の場合は移動が{length}以内です"),
     "stays_where_it_is": ("it stays where it is", "その場に留まります"),
     # what comes out of the furniture: clauses, and sentences that follow the verdict's
     "contents_out": ("{share} of the {contents} come out", "{contents}の{share}が飛び出します"),
     "contents_leave": (
-        "where the piece stands, {from_where}, nine tenths at {fast:.2f} m/s or less",
-        "家具が立っている場合、{from_where}、9割は水平速度{fast:.2f} m/s以下で飛び出します",
+        "where the piece stands, {from_where}, 90 % of them at {fast:.2f} m/s or less",
+        "家具が立っている場合、{from_where}、90%は水平速度{fast:.2f} m/s以下で飛び出します",
     ),
     "from_shelves": (
         "half of them leave from {height} or higher (at most {highest})",
@@ -114,14 +105,13 @@ TEXTS: dict[str, tuple[str, str]] = {
         "half of them or more leave from {highest}, none from higher",
         "その半数以上は最も高い{highest}から",
     ),
-    "contents_stay": ("the {contents} stay inside", "{contents}は飛び出しません"),
     "contents_unknown": ("what the {contents} do is unknown", "{contents}の動きは計算できませんでした"),
     "contents_without": (" ({share} without a measure)", "（対策なしでは{share}）"),
     "contents_with": ("With {measure}{held}{clause}{aside}.", "{measure}{held}{clause}{aside}。"),
     "held": (", ", "があると"),
     "well_held": (", well installed, ", "を正しく取り付けた場合、"),
     "contents_alone": ("And {clause}.", "また、{clause}。"),
-    "stands_but": ("It then stands, but {clause}{aside}.", "倒れなくても、{clause}{aside}。"),
+    "stands_but": ("It then mostly stands, but {clause}{aside}.", "倒れなくても、{clause}{aside}。"),
     # notes beside the numbers
     "field": (
         (
@@ -157,10 +147,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "estimate_differs": (
         (
             "The quick estimate (Kaneko and Hayashi) lets {formula} % overturn without a measure, the "
-            "simulation {simulated} %. The formula leaves out: {left_out}."
+            "simulation {simulated}. The formula leaves out: {left_out}."
         ),
         (
-            "対策なしの転倒は、簡易式（金子・林）では{formula}%、シミュレーションでは{simulated}%です。"
+            "対策なしの転倒は、簡易式（金子・林）では{formula}%、シミュレーションでは{simulated}です。"
             "簡易式が考慮していないもの：{left_out}。"
         ),
     ),
@@ -193,11 +183,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "alike_as_installed": (
         (
-            "as people install it, {usual} overturn, no visible difference from the {well} when well installed: "
+            "as people install it, {usual} overturn, no clear difference from when it is well installed: "
             "{share} % of such devices are badly installed ({how})"
         ),
         (
-            "実際の取付けでも転倒{usual}で、正しく取り付けた場合の{well}と目立った差はありません"
+            "実際の取付けでも転倒{usual}で、正しく取り付けた場合と明らかな差はありません"
             "（{share}%が取付け不良：{how}）"
         ),
     ),

@@ -86,15 +86,16 @@ class Difference:
 
     @property
     def texts(self) -> Phrase:
-        """Difference and interval in both languages: "−35 points (−48 to −20)", points being per cent."""
+        """The interval where it excludes 0, in both languages: "−48 to −20 points", points being per cent."""
         if self.pairs == 0:
             return phrase("fragility.difference_unknown")
-        ends = {"low": percent(self.low), "high": percent(self.high)}
-        return phrase("fragility.difference", estimate=percent(self.estimate), **ends)
+        if not self.clear:
+            return phrase("fragility.no_clear_difference")
+        return phrase("fragility.difference", low=percent(self.low), high=percent(self.high))
 
     @property
     def text(self) -> str:
-        """Difference and interval in English words; see `texts`."""
+        """The difference in English words; see `texts`."""
         return self.texts[0]
 
 
@@ -128,7 +129,7 @@ def difference(
     >>> bare = np.arange(40).reshape(40, 1) < 20
     >>> held = np.arange(40).reshape(40, 1) < 8
     >>> difference(held, bare).text
-    '−30 points (−45 to −15)'
+    '−45 to −15 points'
     """
     a, given_up = checked_runs(first, missing)
     b, _ = checked_runs(second, missing)

@@ -13,7 +13,8 @@ truth is on the documentation's calibration page.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from bisect import bisect_left
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -29,6 +30,9 @@ if TYPE_CHECKING:
 
 CONFIDENCE = 0.95
 """Confidence of every interval."""
+
+UNITS = (1, 5, 10, 25)
+"""Units to which probabilities are rounded where they are told [per cent]."""
 
 _WEIGHT = 1.0
 """Weight, in runs, of each of the two motions that are added before the design effect is estimated.
@@ -64,7 +68,7 @@ class Probability:
     >>> apart = probability(np.arange(40).reshape(4, 10) % 4 == 0)  # 10 of 40 fell, spread over 4 motions
     >>> alike = probability(np.arange(40).reshape(4, 10) < 10)  # 10 of 40, all under one of them
     >>> apart.text, alike.text
-    ('25 % (12 to 45 %)', '25 % (3 to 78 %)')
+    ('about 25 % (12 to 45 %)', '3 to 78 %')
     >>> alike.fell, alike.runs, round(alike.half_width / apart.half_width, 1)
     (10, 40, 2.3)
     """
@@ -84,12 +88,60 @@ class Probability:
         return 0.5 * (self.high - self.low)
 
     @property
-    def texts(self) -> Phrase:
-        """Probability and interval in both languages: "12 % (7 to 20 %)"."""
+    def brief(self) -> str:
+        """The probability in per cent, as finely as its interval allows: "25", "<9", ">82", "8–75".
+
+        It is rounded to the first of `UNITS` that is not finer than the interval's half-width, or to a finer
+        unit where that leaves the interval. Where that moves it by more than half of how far it is from 0 or
+        100, an end of the interval stands for it; where no unit is so coarse, both do.
+        """
+        width = round(100.0 * self.half_width, 7)
+        if width == 0.0:
+            return percent(self.estimate)
+        if width > UNITS[-1] and 0.0 < self.estimate < 1.0:
+            return f"{percent(self.low)}–{percent(self.high)}"
+        for unit in reversed(UNITS[: bisect_left(UNITS, width) + 1]):
+            rounded = unit * math.floor(round(100.0 * self.estimate / unit, 7) + 0.5)
+            moved = abs(rounded - 100.0 * self.estimate)
+            if rounded in (0, 100) or moved > 50.0 * min(self.estimate, 1.0 - self.estimate):
+                break
+            if self.low <= rounded / 100.0 <= self.high:
+                return str(rounded)
+        if self.estimate < 0.5:
+            return f"<{_upwards(self.high):g}"
+        return f">{100.0 - _upwards(1.0 - self.low):g}"
+
+    def scaled(self, factor: float) -> Probability:
+        """Return the probability and its interval times a factor that is known."""
+        estimate, low, high = (factor * part for part in (self.estimate, self.low, self.high))
+        return replace(self, estimate=estimate, low=low, high=high)
+
+    @property
+    def share(self) -> Phrase:
+        """The same in words: "about 25 %", "under 9 %", "over 82 %", "8 to 75 %"."""
         if self.runs == 0:
             return phrase("fragility.probability_unknown")
-        ends = {"low": percent(self.low), "high": percent(self.high)}
-        return phrase("fragility.probability", estimate=percent(self.estimate), **ends)
+        key = {"<": "common.under", ">": "common.over"}.get(self.brief[0], "common.about")
+        if "–" in self.brief:
+            return self._ends
+        share = self.brief.lstrip("<>")
+        return phrase(key, share=(f"{share} %", f"{share}%"))
+
+    @property
+    def ends(self) -> Phrase:
+        """The interval in both languages, "7 to 20 %"; empty where `share` tells an end of it."""
+        return self._ends if self.runs and self.brief.isdigit() else ("", "")
+
+    @property
+    def _ends(self) -> Phrase:
+        low, high = percent(self.low), percent(self.high)
+        return phrase("fragility.ends", low=low, high=(f"{high} %", f"{high}%"))
+
+    @property
+    def texts(self) -> Phrase:
+        """Probability and interval in both languages: "about 10 % (7 to 20 %)"."""
+        aside = phrase("common.aside", content=self.ends) if self.ends[0] else ("", "")
+        return self.share[0] + aside[0], self.share[1] + aside[1]
 
     @property
     def text(self) -> str:
@@ -110,6 +162,12 @@ def percent(share: float) -> str:
     steps = 10.0 if fine else 1.0
     rounded = math.copysign(math.floor(steps * abs(value) + 0.5) / steps, value)
     return (f"{rounded:.1f}" if fine else f"{rounded:z.0f}").replace("-", "−")
+
+
+def _upwards(share: float) -> float:
+    """Return a share rounded up to whole per cent, or to tenths below 1 %."""
+    value = round(100.0 * share, 7)
+    return math.ceil(value) if value > 1.0 else math.ceil(round(10.0 * value, 6)) / 10.0
 
 
 def probability(fallen: ArrayLike, missing: ArrayLike | None = None) -> Probability:
@@ -136,7 +194,7 @@ def probability(fallen: ArrayLike, missing: ArrayLike | None = None) -> Probabil
     --------
     >>> import numpy as np
     >>> probability(np.arange(40).reshape(40, 1) < 8).text
-    '20 % (10 to 35 %)'
+    'about 25 % (10 to 35 %)'
     """
     fell, given_up = checked_runs(fallen, missing)
     runs = (~given_up).sum(axis=1)
@@ -206,18 +264,18 @@ def student(units: int, confidence: float = CONFIDENCE) -> float:
     return float(stdtrit(max(units - 1, 1), 0.5 + 0.5 * confidence))
 
 
-def design_effect(fell: NDArray[np.float64], runs: NDArray[np.float64]) -> float:
+def design_effect(fell: NDArray[np.float64], runs: NDArray[np.float64], added: float = _WEIGHT) -> float:
     """Return the design effect of counts by motion: 1 if runs are independent, runs a motion if all alike.
 
-    Of one motion it is 1.
+    Of one motion it is 1. ``added`` is the weight, in runs, of each of the two motions that are added.
     """
     k, n = fell[runs > 0.0], runs[runs > 0.0]
     if len(n) == 1:
         return 1.0
     size = float(n.mean())
-    weight = _WEIGHT / size
-    total = float(n.sum()) + 2.0 * _WEIGHT
-    p = (float(k.sum()) + _WEIGHT) / total
+    weight = added / size
+    total = float(n.sum()) + 2.0 * added
+    p = (float(k.sum()) + added) / total
     scatter = float(((k - p * n) ** 2).sum()) + weight * size * size * (p * p + (1.0 - p) ** 2)
     return min(max(scatter / total / (p * (1.0 - p)), 1.0), max(size, 1.0))
 

@@ -233,8 +233,7 @@ def draw_ranking(axis: Axes, verdict: Verdict, language: str) -> None:
         ends = [[max(0.0, estimate - low)], [max(0.0, high - estimate)]]
         axis.barh(place, estimate, 0.55, color=COMPONENT_COLOURS["x"])
         axis.errorbar(estimate, place, xerr=ends, color=INK, capsize=3.0, linewidth=1.0)
-        share = numbers.share(chance.estimate, language)
-        axis.text(high + 1.5, place, share, va="center", fontsize=FONT - 1.0)
+        axis.text(high + 1.5, place, numbers.probability(chance, language), va="center", fontsize=FONT - 1.0)
     labels = [drawable(title(option.option, verdict, language)) for option in verdict.options]
     axis.set_yticks(range(len(labels)), labels, fontsize=FONT - 1.0)
     axis.set_ylim(len(labels) - 0.4, -0.6)

@@ -12,9 +12,9 @@ from stayput.measures.wall import WallDevice
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.rooms.steps import STUD_PITCH, ActionPlan, Fix, PlanStep
 from stayput.simulation.placing import placed
-from stayput.verification.room_words import interval_text, label_of, people_in, piece_name
+from stayput.verification.room_words import label_of, people_in, piece_name
 from stayput.verification.verdict import FALLS, OptionVerdict
-from stayput.verification.words import class_phrase, share_text
+from stayput.verification.words import class_phrase
 from stayput.wording import inside, joined
 
 if TYPE_CHECKING:
@@ -159,44 +159,42 @@ def _bears(purchase: Purchase) -> Phrase:
     )
 
 
-def chances_after(effect: OptionVerdict) -> dict[str, tuple[Probability, float]]:
+def chances_after(effect: OptionVerdict, plan: ActionPlan) -> dict[str, tuple[Probability, Probability]]:
     """Return what may happen with something, by the key of its words, and how likely it is as the room is."""
-    people = effect.people
+    people, now = effect.people, people_in(plan.verdict)
     assert people is not None
-    outlooks = {name: getattr(people, name) for name in ("hit", "shut_in", "blocked")}
-    return {
-        name: (chance, chance.estimate - (0.0 if change is None else change.estimate))
-        for name, (chance, change) in outlooks.items()
-    }
+    keys = "hit", "shut_in", "blocked"
+    return {key: (getattr(people, key).chance, getattr(now, key).chance) for key in keys}
 
 
-def worth_telling(effect: OptionVerdict, plan: ActionPlan) -> dict[str, tuple[Probability, float]]:
+def worth_telling(effect: OptionVerdict, plan: ActionPlan) -> dict[str, tuple[Probability, Probability]]:
     """Return those of them that happen; none in a room without places."""
     return {
         key: (chance, was)
-        for key, (chance, was) in chances_after(effect).items()
-        if (key == "hit" and people_in(plan.verdict).places) or was != 0.0 or chance.estimate != 0.0
+        for key, (chance, was) in chances_after(effect, plan).items()
+        if (key == "hit" and people_in(plan.verdict).places) or was.estimate != 0.0 or chance.estimate != 0.0
     }
 
 
 def falls(plan: ActionPlan) -> Phrase | None:
     """Return which pieces overturn often, before the steps and after all of them; None where none does."""
     now, then = plan.verdict.without.pieces, () if plan.together is None else plan.together.pieces
-    before = {piece.name: piece.probabilities[OVERTURNED].estimate for piece in now}
-    names, after = (
-        plan.verdict.scenario.names,
-        {piece.name: piece.probabilities[OVERTURNED] for piece in then},
+    before, after = (
+        {piece.name: piece.probabilities[OVERTURNED] for piece in pieces} for pieces in (now, then)
     )
+    names = plan.verdict.scenario.names
 
     def sentence(name: str) -> Phrase:
-        was = share_text(before[name])
+        was = before[name].share
         if name not in after:
             return phrase("action_plan.piece_falls", piece=piece_name(name), was=was)
-        now = with_ends(after[name])
+        now = after[name].texts
         return phrase("action_plan.piece_falls_then", piece=piece_name(name), was=was, now=now)
 
-    often = [name for name in names if before[name] >= FALLS or (after and after[name].estimate >= FALLS)]
-    often.sort(key=lambda name: -before[name])
+    often = [
+        name for name in names if max(before[name].estimate, after.get(name, before[name]).estimate) >= FALLS
+    ]
+    often.sort(key=lambda name: -before[name].estimate)
     return joined(map(sentence, often)) if often else None
 
 
@@ -212,24 +210,24 @@ def effects(effect: OptionVerdict, plan: ActionPlan, before: OptionVerdict | Non
     before : OptionVerdict, optional
         From what it changes; from the room as it is where it is left out.
     """
-    first = {} if before is None else chances_after(before)
+    first = {} if before is None else chances_after(before, plan)
     return joined(
         phrase(
             "action_plan.changes",
             what=phrase(f"rooms.chance_of_{key}"),
-            was=share_text(first[key][0].estimate if first else was),
-            now=with_ends(chance),
+            was=(first[key][0] if first else was).share,
+            now=chance.texts,
         )
         for key, (chance, was) in worth_telling(effect, plan).items()
     )
 
 
-def changes_nothing(effect: OptionVerdict, before: OptionVerdict | None = None) -> bool:
+def changes_nothing(effect: OptionVerdict, plan: ActionPlan, before: OptionVerdict | None = None) -> bool:
     """Return whether no share that is shown is another one than before, or than in the room as it is."""
-    first = None if before is None else chances_after(before)
+    first = None if before is None else chances_after(before, plan)
     return all(
-        share_text(chance.estimate) == share_text(was if first is None else first[key][0].estimate)
-        for key, (chance, was) in chances_after(effect).items()
+        chance.share == (was if first is None else first[key][0]).share
+        for key, (chance, was) in chances_after(effect, plan).items()
     )
 
 
@@ -240,7 +238,7 @@ def what_it_brings(number: int, plan: ActionPlan) -> Iterator[Phrase]:
     One that only keeps a piece from overturning changes nothing for people.
     """
     step = plan.steps[number - 1]
-    if not step.for_people and (not step.decided or changes_nothing(step.alone)):
+    if not step.for_people and (not step.decided or changes_nothing(step.alone, plan)):
         yield phrase("action_plan.only_falls" if _steadies(step) else "action_plan.no_gain")
         return
     alone = effects(step.alone, plan)
@@ -250,8 +248,8 @@ def what_it_brings(number: int, plan: ActionPlan) -> Iterator[Phrase]:
         yield alone
         return
     before = None if number == 1 else plan.steps[number - 2].together
-    after = before is not None and not changes_nothing(step.together, before)
-    if changes_nothing(step.alone):
+    after = before is not None and not changes_nothing(step.together, plan, before)
+    if changes_nothing(step.alone, plan):
         others = range(1, number) if after else (n for n in range(1, len(plan.steps) + 1) if n != number)
         steps = joined([(str(other), str(other)) for other in others], "action_plan.and")
         yield phrase("action_plan.only_together", steps=steps)
@@ -265,13 +263,6 @@ def _steadies(step: PlanStep) -> bool:
     """Return whether a piece overturns less often with a step."""
     was, fix = step.overturned, step.fix
     return was is not None and fix is not None and fix.overturns.estimate < was.estimate
-
-
-def with_ends(chance: Probability) -> Phrase:
-    """Return a probability with its interval: "12 % (7 to 20 %)"."""
-    english, japanese = share_text(chance.estimate)
-    ends = interval_text(chance)
-    return f"{english} ({ends[0]})", f"{japanese}（{ends[1]}）"
 
 
 def heading(step: PlanStep, plan: ActionPlan) -> Phrase:

@@ -237,13 +237,14 @@ def _field(verdict: Verdict) -> Iterator[Phrase]:
 def _estimate(verdict: Verdict) -> Iterator[Phrase]:
     assert verdict.estimates is not None
     formula = verdict.estimates.overturning_ratio
-    simulated = verdict.without.probabilities[OVERTURNED].estimate
-    if not abs(formula - simulated) > APART:  # nor where the simulation has no result
+    simulated = verdict.without.probabilities[OVERTURNED]
+    close = not abs(formula - simulated.estimate) > APART  # also where the simulation has no result
+    if close or simulated.low <= formula <= simulated.high:
         return
     yield phrase(
         "verification.estimate_differs",
         formula=percent(formula),
-        simulated=percent(simulated),
+        simulated=simulated.share,
         left_out=joined(_left_out(verdict)),
     )
 

@@ -94,14 +94,14 @@ class PlaceVerdict:
     shut_in_at_rest: bool
 
     @property
-    def by_day(self) -> float:
+    def by_day(self) -> Probability:
         """Chance that somebody is there by day and is hit."""
-        return self.place.day * self.hit.estimate
+        return self.hit.scaled(self.place.day)
 
     @property
-    def by_night(self) -> float:
+    def by_night(self) -> Probability:
         """Chance that somebody is there at night and is hit."""
-        return self.place.night * self.hit.estimate
+        return self.hit.scaled(self.place.night)
 
 
 @dataclass(frozen=True, slots=True)

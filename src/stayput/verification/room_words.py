@@ -12,7 +12,7 @@ from stayput.fragility.probabilities import percent
 from stayput.model.floor_plan import PLACE_NAMES, Door, PersonPlace
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.verification.changes import Change, wall_faced
-from stayput.verification.words import sentence_of, shaking_phrase, share_text, title
+from stayput.verification.words import sentence_of, shaking_phrase, title
 from stayput.wording import called, default_name, inside, joined, name_quoted, name_within
 
 if TYPE_CHECKING:
@@ -59,19 +59,9 @@ def _where_somebody_is(place: PersonPlace) -> Phrase:
     return phrase(f"rooms.{'at' if default is None else _AT[default[0]]}_place", place=name)
 
 
-def often(share: float, cases: Phrase) -> Phrase:
-    """Return how often something happens: "in 8 of 10 earthquakes", "in 3 of 100 earthquakes".
-
-    Of as few as come within 2 points, and within a tenth, of the share; of 1,000 where none do.
-    """
-    if share >= 1.0:
-        return phrase("rooms.always", cases=cases)
-    for whole in (10, 20, 100, 1000):
-        count = math.floor(round(whole * share, 9) + 0.5)  # a half is rounded up
-        off = round(abs(count / whole - share), 9)
-        if 1 <= count < whole and (off <= min(0.02, 0.1 * share) or whole == 1000):
-            return phrase("rooms.count_of", count=count, all=whole, cases=cases)
-    return phrase("rooms.rarely", share=share_text(share), cases=cases)
+def often(chance: Probability, cases: Phrase) -> Phrase:
+    """Return how often something happens: "in about 25 % of earthquakes"."""
+    return phrase("rooms.often", share=chance.share, cases=cases)
 
 
 def motion_phrase(verdict: Verdict) -> Phrase | None:
@@ -115,11 +105,13 @@ def _clauses(verdict: Verdict) -> Iterator[Phrase]:
     cases = repeat(phrase("rooms.earthquakes")) if only is None else chain([of_one], repeat(runs))
 
     def ends_of(chance: Probability) -> Phrase:
-        (english, japanese), (first, second) = next(names), interval_text(chance)
+        if not chance.ends[0]:
+            return "", ""
+        (english, japanese), (first, second) = next(names), chance.ends
         return phrase("common.aside", content=(english + first, japanese + second))
 
     def happens(key: str, chance: Probability, **values: Phrase) -> Phrase:
-        return phrase(key, often=often(chance.estimate, next(cases)), interval=ends_of(chance), **values)
+        return phrase(key, often=often(chance, next(cases)), interval=ends_of(chance), **values)
 
     people = people_in(verdict)
     worst = sorted(people.places, key=lambda place: -place.hit.estimate)
@@ -127,13 +119,7 @@ def _clauses(verdict: Verdict) -> Iterator[Phrase]:
     if not people.places:
         yield phrase("rooms.no_places")
     elif not hit:
-        next(cases)
-        yield phrase(
-            "rooms.nobody_hit",
-            count=people.hit.chance.runs,
-            cases=of_one,
-            interval=ends_of(people.hit.chance),
-        )
+        yield phrase("rooms.nobody_hit", often=often(people.hit.chance, next(cases)))
     for place in hit:
         first = place.by[0]
         values = {"piece": piece_within(first.piece), "place": _where_somebody_is(place.place)}
@@ -148,17 +134,16 @@ def _clauses(verdict: Verdict) -> Iterator[Phrase]:
         chance = first.probabilities["overturned"]
         yield happens("rooms.falls_too", chance, piece=piece_within(first.name), others=beside)
     for door in people.doors:
-        if door.blocked.estimate >= TOLD:
-            yield happens("rooms.blocked", door.blocked, door=name_within(door.door.name, _DOOR))
+        name = name_within(door.door.name, _DOOR)
+        if door.at_rest:
+            yield phrase("rooms.blocked_already", door=name)
+        elif door.blocked.estimate >= TOLD:
+            yield happens("rooms.blocked", door.blocked, door=name)
     shut = max(people.places, key=lambda place: place.shut_in.estimate, default=None)
-    if shut is not None and shut.shut_in.estimate >= TOLD:
+    if shut is not None and shut.shut_in_at_rest:
+        yield phrase("rooms.shut_in_already")
+    elif shut is not None and shut.shut_in.estimate >= TOLD:
         yield happens("rooms.shut_in", shut.shut_in, place=_where_somebody_is(shut.place))
-
-
-def interval_text(chance: Probability) -> Phrase:
-    """Return the interval of a probability: "7 to 20 %"."""
-    low, (english, japanese) = percent(chance.low), share_text(chance.high)
-    return f"{low} to {english}", f"{low}～{japanese}"
 
 
 def option_label(option: OptionVerdict, verdict: Verdict, language: str) -> str:
@@ -218,13 +203,13 @@ def _effect(option: OptionVerdict, verdict: Verdict) -> Phrase:
     outlook = people.hit if what == "overturned" else getattr(people, what)
     chance, change = changed or outlook
     assert change is not None
-    held, bare = chance.estimate, chance.estimate - change.estimate
-    goes = "stays" if share_text(held) == share_text(bare) else "falls" if held < bare else "rises"
+    goes = "stays" if not change.clear else "falls" if change.estimate < 0.0 else "rises"
+    least, most = sorted((abs(change.low), abs(change.high)))
     return phrase(
         "rooms.change_of",
         change=_label(option, verdict),
         what=phrase(f"rooms.chance_of_{what}"),
-        goes=phrase(f"rooms.{goes}", bare=share_text(bare), held=share_text(held)),
+        goes=phrase(f"rooms.{goes}", least=percent(least), most=percent(most), held=chance.share),
     )
 
 

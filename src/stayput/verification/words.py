@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import Phrase, phrase, say
@@ -18,10 +19,7 @@ if TYPE_CHECKING:
 
     from stayput.fragility.probabilities import Probability
     from stayput.scenario.option import Option
-    from stayput.verification.verdict import AsInstalled, OptionVerdict, Verdict
-
-ALIKE = 0.05
-"""Shares that differ by less than this, and not clearly, are called about the same."""
+    from stayput.verification.verdict import OptionVerdict, Verdict
 
 SMALL = 0.005
 """A share below this is not mentioned."""
@@ -54,26 +52,16 @@ def class_label(intensity: float, language: str, floor: str = "") -> str:
     return say(class_phrase(intensity, floor), language)
 
 
-def share_text(share: float) -> Phrase:
-    """Return a share in per cent, with a word where only a bound is told: "12 %", "under 0.1 %"."""
-    shown = percent(share)
-    number = shown.lstrip("<>")
-    both = (f"{number} %", f"{number}%")
-    bound = {"<": "common.under", ">": "common.over"}.get(shown[0])
-    return both if bound is None else phrase(bound, share=both)
-
-
 def doubt(chance: Probability) -> Phrase | str:
     """Return, behind a statement that something hardly happens, how often it may where runs are too few."""
     if chance.high < SAFE:
         return ""
-    return phrase("verification.not_ruled_out", share=share_text(chance.high))
+    return phrase("verification.not_ruled_out", share=chance.share)
 
 
-def falls_phrase(share: float) -> Phrase:
-    """Return how often it overturns: "in 12 % of the cases", "12%の場合に転倒します"."""
-    key = {0.0: "verification.never_falls", 1.0: "verification.always_falls"}.get(share, "verification.falls")
-    return phrase(key, share=share_text(share))
+def falls_phrase(chance: Probability) -> Phrase:
+    """Return how often it overturns: "in about 25 % of the cases", "約25%の場合に転倒します"."""
+    return phrase("verification.falls", share=chance.share)
 
 
 def title(option: Option, verdict: Verdict, language: str) -> str:
@@ -121,7 +109,7 @@ def headline(verdict: Verdict, language: str) -> str:
     """Return the verdict in one sentence."""
     sentences = [say(_headline(verdict), language)]
     if verdict.best.installed is not None:
-        share = share_text(verdict.best.installed.usual[OVERTURNED])
+        share = _as_usual(verdict.best).share
         measure = _title_inside(verdict.best.option, verdict)
         sentences.append(say("verification.best_as_installed", language, measure=measure, share=share))
     if verdict.best.contents is not None:
@@ -139,7 +127,7 @@ def asides(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
         english, japanese = contents_out(option, verdict)
         sentences.append((sentence_of([english], "en"), sentence_of([japanese], "ja")))
     if option.installed is not None:
-        share = share_text(option.installed.usual[OVERTURNED])
+        share = _as_usual(option).share
         sentences.append(phrase("verification.overturns_as_installed", share=share))
     return sentences
 
@@ -155,25 +143,22 @@ def contents_name(verdict: Verdict) -> Phrase:
 def contents_out(option: OptionVerdict, verdict: Verdict) -> Phrase:
     """Return how much of what is in the furniture comes out, as a clause."""
     assert option.contents is not None
-    share = option.contents.out.estimate
-    if math.isnan(share):
-        return phrase("verification.contents_unknown", contents=contents_name(verdict))
-    key = "verification.contents_stay" if share == 0.0 else "verification.contents_out"
-    return phrase(key, share=share_text(share), contents=contents_name(verdict))
+    key = "verification.contents_out" if option.contents.out.runs else "verification.contents_unknown"
+    return phrase(key, share=option.contents.out.share, contents=contents_name(verdict))
 
 
 def _of_contents(verdict: Verdict) -> Phrase:
     best, without = verdict.best, verdict.without
     assert best.contents is not None
     assert without.contents is not None
-    share, bare = best.contents.out.estimate, without.contents.out.estimate
+    bare = without.contents.out
     clause = contents_out(best, verdict)
-    stands = best.probabilities[OVERTURNED].estimate < SMALL and share >= SMALL
+    stands = best.probabilities[OVERTURNED].estimate < SMALL and best.contents.out.estimate >= SMALL
     aside = ""
-    if best.option.measures and math.isfinite(bare):
-        aside = phrase("verification.contents_without", share=share_text(bare))
+    if best.option.measures and bare.runs:
+        aside = phrase("verification.contents_without", share=bare.share)
     # "it" is the piece of the sentence before: that one must be of the same measure, and of no installation
-    if stands and best.installed is None and (_helps(best, without) or not best.option.measures):
+    if stands and best.installed is None and (_helps(best) or not best.option.measures):
         return phrase("verification.stands_but", clause=clause, aside=aside)
     if not best.option.measures:
         return phrase("verification.contents_alone", clause=clause)
@@ -182,10 +167,9 @@ def _of_contents(verdict: Verdict) -> Phrase:
     return phrase("verification.contents_with", measure=measure, held=held, clause=clause, aside=aside)
 
 
-def _helps(option: OptionVerdict, without: OptionVerdict) -> bool:
-    """Return whether fewer overturn with an option than without a measure, by a share that is mentioned."""
-    held, bare = option.probabilities[OVERTURNED].estimate, without.probabilities[OVERTURNED].estimate
-    return option.option.count > 0 and held < bare - SMALL
+def _helps(option: OptionVerdict) -> bool:
+    """Return whether clearly fewer overturn with an option than without a measure."""
+    return option.change is not None and option.change.high < 0.0
 
 
 def _headline(verdict: Verdict) -> Phrase:
@@ -193,7 +177,7 @@ def _headline(verdict: Verdict) -> Phrase:
     what = phrase(f"{where}.what", name=name_within(verdict.scenario.piece.title, PIECES_OF_RUNS))
     if math.isnan(verdict.without.probabilities[OVERTURNED].estimate):
         return phrase("verification.no_bare_run", none=phrase(f"{where}.none"))
-    if _helps(verdict.best, verdict.without):
+    if _helps(verdict.best):
         option = phrase(f"{where}.if_there", option=_title_inside(verdict.best.option, verdict))
         return _better(verdict, what, option)
     more: Phrase | str = ""
@@ -216,17 +200,14 @@ def _where(verdict: Verdict) -> str:
 
 def _better(verdict: Verdict, what: Phrase, option: Phrase) -> Phrase:
     """Return how often something overturns without anything, and with the best option."""
-    best, share = verdict.best, verdict.without.probabilities[OVERTURNED].estimate
-    held, unclear = best.probabilities[OVERTURNED].estimate, best.change is not None and not best.change.clear
     return phrase(
         "verification.better",
         strength=shaking_phrase(verdict),
         what=what,
-        falls=falls_phrase(share),
+        falls=falls_phrase(verdict.without.probabilities[OVERTURNED]),
         bare=_bare(verdict),
         option=option,
-        then=phrase(f"verification.then_{'falls' if held else 'never'}", share=share_text(held)),
-        chance=phrase("verification.may_be_chance") if unclear else "",
+        share=verdict.best.probabilities[OVERTURNED].share,
     )
 
 
@@ -236,7 +217,7 @@ def _falls_or_stands(verdict: Verdict, what: Phrase, more: Phrase | str) -> Phra
     where = _where(verdict)
     if chance.estimate < SMALL:
         return phrase(f"{where}.stays_upright", strength=strength, what=what, doubt=doubt(chance))
-    falls, bare = falls_phrase(chance.estimate), _bare(verdict)
+    falls, bare = falls_phrase(chance), _bare(verdict)
     return phrase("verification.bare_falls", strength=strength, what=what, falls=falls, bare=bare, more=more)
 
 
@@ -250,18 +231,15 @@ def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:
 def _overturns(option: OptionVerdict, verdict: Verdict) -> Phrase:
     """Return how often something overturns with an option, beside how often without anything."""
     where = _where(verdict)
-    bare, held = (ranked.probabilities[OVERTURNED].estimate for ranked in (verdict.without, option))
+    bare, held = (ranked.probabilities[OVERTURNED] for ranked in (verdict.without, option))
     it, change = phrase(f"{where}.it"), option.change
     if change is None:
         return phrase("verification.overturns", it=it, falls=falls_phrase(bare))
-    english, japanese = share_text(held)
-    amount = {0.0: "none", 1.0: "all"}.get(held, english)
-    values = {"bare": share_text(bare), "held": (f"in {amount} of the cases", japanese)}
+    key = "no_clear_change"
     if change.clear:
-        key = "verification.less_often" if change.estimate < 0.0 else "verification.more_often"
-    else:  # alike also where the difference is unknown
-        key = f"{where}.by_chance" if abs(change.estimate) >= ALIKE else "verification.about_as_often"
-    return phrase(key, it=it, none=phrase(f"{where}.none"), **values)
+        key = "less_often" if change.estimate < 0.0 else "more_often"
+    values = {"bare": bare.share, "held": held.share, "none": phrase(f"{where}.none")}
+    return phrase(f"verification.{key}", it=it, **values)
 
 
 def sentence_of(clauses: list[str], language: str) -> str:
@@ -285,10 +263,10 @@ def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
             shelves = phrase(key, height=middle, highest=highest)
             parts.append(phrase("verification.contents_leave", from_where=shelves, fast=leaving.fast))
     if shares[DEVICE_FAILED] >= OFTEN:
-        parts.append(phrase("verification.device_fails", share=share_text(shares[DEVICE_FAILED])))
+        parts.append(phrase("verification.device_fails", share=option.probabilities[DEVICE_FAILED].share))
         parts += _gives_way(option)
     if option.installed is not None:
-        parts.append(_as_installed(option.installed, shares[OVERTURNED]))
+        parts.append(_as_installed(option))
     scenario = verdict.scenario
     if scenario.alone and slides_off(option, verdict):
         parts.append(phrase("verification.slides_far", far=FAR))
@@ -305,15 +283,14 @@ def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
 
 def _of_pieces(option: OptionVerdict, verdict: Verdict) -> Iterator[Phrase]:
     """Yield which of several pieces overturns most often, and what that does not count overturns too."""
-    shares = [piece.probabilities[OVERTURNED].estimate for piece in option.pieces]
+    chances = [piece.probabilities[OVERTURNED] for piece in option.pieces]
     counted = verdict.scenario.counted
-    worst = max(counted, key=shares.__getitem__)
-    if len(counted) > 1 and shares[worst] >= SMALL:
-        name = option.pieces[worst].name
-        yield phrase("several.most_often", name=name, share=share_text(shares[worst]))
+    worst = max(counted, key=lambda number: chances[number].estimate)
+    if len(counted) > 1 and chances[worst].estimate >= SMALL:
+        yield phrase("several.most_often", name=option.pieces[worst].name, share=chances[worst].share)
     for number, piece in enumerate(option.pieces):
-        if number not in counted and shares[number] >= SMALL:
-            yield phrase("several.loose", name=piece.name, falls=falls_phrase(shares[number]))
+        if number not in counted and chances[number].estimate >= SMALL:
+            yield phrase("several.loose", name=piece.name, falls=falls_phrase(chances[number]))
 
 
 def _gives_way(option: OptionVerdict) -> Iterator[Phrase]:
@@ -330,14 +307,25 @@ def _gives_way(option: OptionVerdict) -> Iterator[Phrase]:
         yield phrase("verification.gives_way", weakest=worst.weakest)
 
 
-def _as_installed(installed: AsInstalled, held: float) -> Phrase:
+def _as_usual(option: OptionVerdict) -> Probability:
+    """Return how often it overturns with a measure as people install it."""
+    installed, well = option.installed, option.probabilities[OVERTURNED]
+    assert installed is not None
+    badly, share = installed.badly[OVERTURNED], installed.share
+    low, high = ((1.0 - share) * a + share * b for a, b in ((well.low, badly.low), (well.high, badly.high)))
+    return replace(badly, estimate=installed.usual[OVERTURNED], low=low, high=high)
+
+
+def _as_installed(option: OptionVerdict) -> Phrase:
     """Return how often it overturns as people install a measure, beside how often when well installed."""
-    usual, badly = installed.usual[OVERTURNED], installed.badly[OVERTURNED]
-    alike = share_text(usual) == share_text(held) or badly.low <= held <= badly.high
+    installed, well, usual = option.installed, option.probabilities[OVERTURNED], _as_usual(option)
+    assert installed is not None
+    badly = installed.badly[OVERTURNED]
+    alike = usual.share == well.share or badly.low <= well.estimate <= badly.high
     return phrase(
         "verification.alike_as_installed" if alike else "verification.as_installed",
-        well=share_text(held),
-        usual=share_text(usual),
+        well=well.share,
+        usual=usual.share,
         share=percent(installed.share),
         how=joined(installed.how),
     )

@@ -5,7 +5,7 @@ import { el, fill, part, svg, widthFor } from "./dom.js";
 import { classesKnown } from "./panel_shaking.js";
 import { nameOf } from "./ranking.js";
 import { without, yours } from "./verdict.js";
-import { both, number, percent, t } from "./words.js";
+import { both, number, share, t } from "./words.js";
 
 let W = 560;
 const H = 300,
@@ -150,7 +150,7 @@ function curve({ curve: { intensity, probability, observed } }, i) {
       svg(
         "path",
         { class: `dot c${i}`, d: MARKS[i](x(one.im), y(one.estimate)) },
-        svg("title", { text: `${number(one.im, 2)}${t("colon")}${percent(one.estimate)}` }),
+        svg("title", { text: `${number(one.im, 2)}${t("colon")}${share(one)}` }),
       ),
     );
   return svg(

@@ -2,7 +2,7 @@
 
 import { bar } from "./bars.js";
 import { el, fill, part } from "./dom.js";
-import { both, percent, t } from "./words.js";
+import { both, brief, t } from "./words.js";
 
 /** What an option is called. */
 export const nameOf = (one) => (one.measures.length ? both(one.label) : t("without"));
@@ -25,7 +25,7 @@ export function show(verdict, take) {
           "div",
           { class: "optionbar" },
           bar(one.probabilities.overturned),
-          el("span", { class: "share", text: percent(one.probabilities.overturned.estimate) }),
+          el("span", { class: "share", text: brief(one.probabilities.overturned) }),
           grade(one, one.grade),
         ),
         el("p", { class: "hint", text: both(one.reason) }),

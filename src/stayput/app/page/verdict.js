@@ -3,7 +3,7 @@
 import { el, fill, part, svg } from "./dom.js";
 import { measureOf } from "./panel_measures.js";
 import { grade } from "./ranking.js";
-import { both, deviceName, length, number, percent, t, within } from "./words.js";
+import { both, chance, deviceName, length, number, share, t, within } from "./words.js";
 
 const LIKELY = 0.02;
 
@@ -19,16 +19,14 @@ export function show(verdict) {
     const p = one.probabilities.overturned;
     if (p.estimate === null) return t("chanceUnknown", { measures: t(i > 0 ? "with" : "without") });
     return t(i > 0 ? "chanceWith" : single ? "chanceOfRecord" : "chanceWithout", {
-      share: percent(p.estimate),
-      low: percent(p.low),
-      high: percent(p.high),
+      share: chance(p),
       measures: within(one.label),
     });
   });
   fill(part("verdict"), ...texts.map((text, i) => el("span", { class: "sentence", text }, grade(pair[i]))));
   fill(
     part("tens"),
-    ...pair.map((one, i) => tens(one.probabilities.overturned.estimate, t(i === 0 ? "without" : "with"))).filter(Boolean),
+    ...pair.map((one, i) => tens(one.probabilities.overturned, t(i === 0 ? "without" : "with"))).filter(Boolean),
   );
   fill(
     part("also"),
@@ -47,28 +45,30 @@ function also(one, title, verdict) {
   const sentences = [],
     { slid } = one.probabilities;
   if (slid.estimate >= LIKELY)
-    sentences.push(t("alsoSlides", { limit: length(verdict.slide_limit_m), share: percent(slid.estimate) }));
+    sentences.push(t("alsoSlides", { limit: length(verdict.slide_limit_m), share: share(slid) }));
   const worst = new Map(); // of devices of a kind that which fails most often
   for (const each of one.devices)
     if (!(worst.get(each.type)?.failed.estimate >= each.failed.estimate)) worst.set(each.type, each);
   for (const { type, name, failed } of worst.values())
     if (failed.estimate >= LIKELY) {
       const device = deviceName(within(measureOf(type).label), name.replace(type, "").trim());
-      sentences.push(t("alsoFails", { device, share: percent(failed.estimate) }));
+      sentences.push(t("alsoFails", { device, share: share(failed) }));
     }
   sentences.push(...one.asides.map(both));
   return sentences.length ? el("li", { text: `${title}${t("colon")}${sentences.join(t("space"))}` }) : null;
 }
 
-function tens(share, title) {
-  if (share === null) return null;
-  const fallen = Math.round(10 * share), // a half is rounded up, as in the sentence
+/** Ten pieces: as many fallen, and as many standing, as the interval leaves no doubt of; the others pale. */
+function tens(one, title) {
+  if (one.estimate === null) return null;
+  const fallen = Math.floor(10 * one.low),
+    may = Math.ceil(10 * one.high),
     pieces = [];
   for (let i = 0; i < 10; i++) {
     const x = 4 + i * 26;
     pieces.push(
-      i < fallen
-        ? svg("path", { class: "fell", d: `M${x} 30h22v8h-22z` })
+      i < may
+        ? svg("path", { class: i < fallen ? "fell" : "fell unsure", d: `M${x} 30h22v8h-22z` })
         : svg("path", { class: "stood", d: `M${x + 7} 8h9v30h-9z` }),
     );
   }
@@ -77,10 +77,10 @@ function tens(share, title) {
     { class: "tens" },
     svg(
       "svg",
-      { viewBox: "0 0 264 44", role: "img", "aria-label": t("tensAlt", { title, n: fallen }) },
+      { viewBox: "0 0 264 44", role: "img", "aria-label": t("tens", { title, share: share(one) }) },
       ...pieces,
       svg("path", { class: "floorline", d: "M0 39.500H264" }),
     ),
-    el("figcaption", { text: t("tens", { title, n: fallen }) }),
+    el("figcaption", { text: t("tens", { title, share: share(one) }) }),
   );
 }

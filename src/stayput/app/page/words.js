@@ -96,3 +96,47 @@ export function percent(share) {
   const fine = (value > 0 && value < 0.95) || (value > 99.05 && value < 100);
   return perCent(number(value, fine ? 1 : 0));
 }
+
+const UNITS = [1, 5, 10, 25]; // of rounded chances, in per cent
+
+/** A share rounded up to whole per cent, or to tenths below 1 %. */
+const upwards = (value) => (value > 1 ? Math.ceil(value) : Math.ceil(Math.round(1e7 * value) / 1e6) / 10);
+
+/** How finely a chance may be told for its interval, by the rule of the server's sentences (`Probability.brief`). */
+function told({ estimate: share, low: least, high: most }) {
+  const [estimate, low, high] = [share, least, most].map(inPercent),
+    width = inPercent((most - least) / 2);
+  if (width === 0) return ["exactly", percent(share)];
+  if (width > UNITS.at(-1) && estimate > 0 && estimate < 100) return ["between"];
+  for (const unit of UNITS.filter((_, i) => !(UNITS[i - 1] >= width)).reverse()) {
+    const near = unit * Math.floor(Math.round((1e7 * estimate) / unit) / 1e7 + 0.5);
+    if ([0, 100].includes(near) || Math.abs(near - estimate) > Math.min(estimate, 100 - estimate) / 2) break;
+    if (low <= near && near <= high) return ["about", perCent(near)];
+  }
+  if (estimate < 50) return ["under", perCent(upwards(high))];
+  return ["over", perCent(Math.round(1000 - 10 * upwards(100 - low)) / 10)];
+}
+
+const isKnown = ({ estimate, low }) => ![estimate ?? null, low ?? null].includes(null);
+
+/** An interval: "61 to 88 %". */
+const ends = ({ low, high }) =>
+  t("shareBetween", { low: percent(low).replace(/\u00a0?%/, ""), high: percent(high) });
+
+/** A chance in words, as finely as its interval allows: "about 75 %", "under 9 %", "8 to 75 %". */
+export function share(one) {
+  if (!isKnown(one)) return percent(one.estimate);
+  const [kind, text] = told(one);
+  return kind === "between" ? ends(one) : kind === "exactly" ? text : t(kind, { share: text });
+}
+
+/** The same in few letters: "75 %", "<9 %", "8–75 %". */
+export function brief(one) {
+  if (!isKnown(one)) return percent(one.estimate);
+  const [kind, text] = told(one);
+  return kind === "between" ? ends(one).replace(/ to |～/, "–") : `${{ under: "<", over: ">" }[kind] ?? ""}${text}`;
+}
+
+/** The same in words with its interval, where that tells more: "about 75 % (61 to 88 %)". */
+export const chance = (one) =>
+  isKnown(one) && told(one)[0] === "about" ? t("chanceBetween", { share: share(one), ends: ends(one) }) : share(one);

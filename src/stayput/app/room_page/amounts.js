@@ -1,21 +1,15 @@
 // Chances and what goes with them, as text.
 
-import { inPercent, number, percent, t } from "../words.js";
+import { inPercent, number, t } from "../words.js";
 
-/** A chance with its interval: "83 % (65 to 92 %)"; less where it is not known. */
-export function chance({ estimate, low, high }) {
-  if (estimate === null) return t("notKnown");
-  if (low === null) return percent(estimate);
-  return t("chanceBetween", { share: percent(estimate), low: percent(low), high: percent(high) });
-}
-
-/** A difference of two chances in points, with its interval and its sign. */
-export function points({ estimate, low, high }) {
+/** The interval of a difference of two chances in points, where it says in which direction. */
+export function points({ low, high }) {
+  if (low <= 0 && high >= 0) return t("noClearDifference");
   const signed = (share) => {
     const whole = Math.sign(share) * Math.round(Math.abs(inPercent(share)));
     return `${whole > 0 ? "+" : whole < 0 ? "−" : ""}${number(Math.abs(whole))}`;
   };
-  return t("pointsBetween", { by: signed(estimate), low: signed(low), high: signed(high) });
+  return t("pointsBetween", { low: signed(low), high: signed(high) });
 }
 
 /** A quantity of runs in which something happened: its median and how far 90 % of them go. */

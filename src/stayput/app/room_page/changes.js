@@ -3,8 +3,8 @@
 import { bar } from "../bars.js";
 import { mayBe } from "./action_plan.js";
 import { el, fill, part } from "../dom.js";
-import { both, number, percent, t } from "../words.js";
-import { capital, chance, points } from "./amounts.js";
+import { both, chance, number, t } from "../words.js";
+import { capital, points } from "./amounts.js";
 import { upright, wallBehind } from "./geometry.js";
 import { DEFAULTS } from "./kinds.js";
 import * as room from "./room.js";
@@ -55,7 +55,7 @@ function option(one, shown) {
     t("hitChange", { share: chance(one.hit), by: points(one.hit_change) }),
     seen(shut, freed) ? t("shutChange", { share: chance(shut), by: points(freed) }) : "",
     seen(overturned, rarer)
-      ? t("fallChange", { share: percent(overturned.estimate), before: percent(overturned.estimate - rarer.estimate) })
+      ? t("fallChange", { share: chance(overturned), by: points(rarer) })
       : "",
   ];
   return el(

@@ -3,9 +3,9 @@
 import * as api from "../api.js";
 import { el, fill, part, svg } from "../dom.js";
 import { worded } from "../refusals.js";
-import { both, percent, t } from "../words.js";
+import { both, chance, share, t } from "../words.js";
 import { line } from "../verification.js";
-import { basis, capital, chance, points } from "./amounts.js";
+import { basis, capital, points } from "./amounts.js";
 import { ofRoom } from "./judging.js";
 import { kindName } from "./kinds.js";
 import { drawPlan } from "./plan.js";
@@ -120,12 +120,12 @@ function sentence(name, one, other) {
   if (!known(one, other)) return "";
   const difference = between(one, other),
     clear = difference.low > 0 || difference.high < 0;
-  if (!clear) return t("compareAlike", { what: name, a, b, first: percent(one.estimate), second: percent(other.estimate) });
+  if (!clear) return t("compareAlike", { what: name, a, b });
   return t("compareSaid", {
     what: name,
     b,
-    first: percent(one.estimate),
-    second: percent(other.estimate),
+    first: share(one),
+    second: share(other),
     by: points(difference),
   });
 }

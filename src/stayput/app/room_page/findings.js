@@ -2,8 +2,8 @@
 
 import { bar } from "../bars.js";
 import { el, fill, part } from "../dom.js";
-import { both, number, percent, t } from "../words.js";
-import { capital, chance, quantile } from "./amounts.js";
+import { both, chance, number, perCent, share, t } from "../words.js";
+import { capital, quantile } from "./amounts.js";
 import { kindName } from "./kinds.js";
 
 /** Writes all of them. */
@@ -14,12 +14,12 @@ export function show(result) {
 }
 
 /** A line with a name, a bar and a chance. */
-const row = (name, share, ...more) =>
+const row = (name, one, ...more) =>
   el(
     "li",
     { class: "finding" },
     el("strong", { text: capital(name) }),
-    el("span", { class: "optionbar" }, bar(share), el("span", { class: "share", text: chance(share) })),
+    el("span", { class: "optionbar" }, bar(one), el("span", { class: "share", text: chance(one) })),
     ...more,
   );
 
@@ -27,13 +27,19 @@ const list = (rows) => el("ul", { class: "findings" }, ...rows);
 const hint = (text) => el("p", { class: "hint", text });
 
 function place(one) {
-  const when = hint(t("dayAndNight", { day: percent(one.hit_by_day), night: percent(one.hit_at_night) }));
+  const when = hint(t("dayAndNight", { day: timed(one.hit, one.hit_by_day), night: timed(one.hit, one.hit_at_night) }));
   return el(
     "div",
     {},
     list([row(kindName("places", one.name), one.hit, when)]),
     one.by.length ? list(one.by.map(hitBy)) : hint(t("hitByNothing")),
   );
+}
+
+/** A chance of being hit times the part of the time that somebody is there. */
+function timed({ estimate, low, high }, hit) {
+  const part = estimate ? hit / estimate : 1;
+  return share({ estimate: hit, low: part * low, high: part * high });
 }
 
 const hitBy = ({ piece, probability, by_falling: falling, mass_kg: mass, speed_m_s: speed, energy_J: energy }) =>
@@ -51,11 +57,10 @@ const hitBy = ({ piece, probability, by_falling: falling, mass_kg: mass, speed_m
 
 function ways(result) {
   const doors = result.doors.map((one) =>
-    row(
-      t("doorBlocked", { door: kindName("doors", one.name) }),
-      one.blocked,
-      one.blocked_at_rest ? el("p", { class: "hint alarm", text: t("blockedAtRest") }) : null,
-    ),
+    one.blocked_at_rest
+      ? el("li", { class: "finding" }, el("strong", { text: capital(kindName("doors", one.name)) }),
+          el("span", { class: "hint alarm", text: t("already") }))
+      : row(t("doorBlocked", { door: kindName("doors", one.name) }), one.blocked),
   );
   const shut = result.places.map((one) => row(t("shutInAt", { place: kindName("places", one.name) }), one.shut_in));
   return result.doors.length ? [list([...doors, ...shut])] : [el("p", { text: t("noDoors") })];
@@ -69,10 +74,10 @@ function pieces(result) {
       p.overturned,
       hint(
         [
-          harm > 0 ? t("contributes", { share: percent(harm / all) }) : "",
+          harm > 0 ? t("contributes", { share: t("about", { share: perCent(10 * Math.round((10 * harm) / all)) }) }) : "",
           inTheWay(result, name),
-          t("pieceSlides", { share: percent(p.slid.estimate) }),
-          p.device_failed?.estimate > 0 ? t("pieceFails", { share: percent(p.device_failed.estimate) }) : "",
+          t("pieceSlides", { share: share(p.slid) }),
+          p.device_failed?.estimate > 0 ? t("pieceFails", { share: share(p.device_failed) }) : "",
         ]
           .filter(Boolean)
           .join(t("space")),
@@ -85,7 +90,7 @@ function pieces(result) {
 function inTheWay({ changes, shut_in: now }, name) {
   const freed = changes.find((one) => one.what === name && one.better.includes("shut_in"));
   if (!freed) return "";
-  return t("inTheWay", { now: percent(now.estimate), then: percent(freed.shut_in.estimate), change: both(freed.label) });
+  return t("inTheWay", { now: share(now), then: share(freed.shut_in), change: both(freed.label) });
 }
 
 /** The pieces that overturn often without hitting anybody, with how often. */
@@ -94,6 +99,6 @@ export function fallingAlone({ pieces, places }) {
   return pieces
     .filter(({ name, falls }) => falls && !hitting.has(name))
     .map(({ name, probabilities: { overturned } }) =>
-      t("fallsOften", { piece: kindName("furniture", name), share: percent(overturned.estimate) }),
+      t("fallsOften", { piece: kindName("furniture", name), share: share(overturned) }),
     );
 }

@@ -1,7 +1,7 @@
 // What a verdict says, on the plan: where each piece falls and comes to stand, who is hit, which door stays shut.
 
 import { svg } from "../dom.js";
-import { percent, t } from "../words.js";
+import { brief, t } from "../words.js";
 import { DEFAULTS } from "./kinds.js";
 
 /** What can be shown of a verdict. */
@@ -70,25 +70,28 @@ function strip(sheet, [x0, y0], [x1, y1]) {
 
 /** How often the person at a place is hit, or a door is blocked, where that is shown; else null. */
 export function shareOf(result, shown, { table, index }) {
-  if (table === "places" && shown.includes("hit")) return result?.places[index]?.hit.estimate ?? null;
-  if (table === "doors" && shown.includes("blocked")) return result?.doors[index]?.blocked.estimate ?? null;
+  if (table === "places" && shown.includes("hit")) return result?.places[index]?.hit ?? null;
+  if (table === "doors" && shown.includes("blocked")) return result?.doors[index]?.blocked ?? null;
   return null;
 }
 
 /** What is told of a thing beside its name: of a person always, of pieces and doors where it happens. */
 export function notes(result, shown, what) {
-  const share = shareOf(result, shown, what);
-  if (what.table === "places") return share === null ? [] : [note("is_hit", share)];
-  if (telling(share)) return [note("is_blocked", share)];
+  const chance = shareOf(result, shown, what);
+  if (what.table === "places") return chance?.estimate == null ? [] : [note("is_hit", chance)];
+  if (telling(chance)) {
+    const already = result.doors[what.index].blocked_at_rest;
+    return [already ? { text: t("already"), share: t("already") } : note("is_blocked", chance)];
+  }
   const piece = what.table === "furniture" && shown.includes("fell") ? result?.pieces[what.index] : null,
-    falls = piece?.probabilities.overturned.estimate ?? null;
+    falls = piece?.probabilities.overturned ?? null;
   return telling(falls) ? [note("overturns", falls)] : [];
 }
 
 function note(key, chance) {
-  const share = percent(chance);
-  return { text: t(key, { share }), share };
+  const text = brief(chance);
+  return { text: t(key, { share: text }), share: text };
 }
 
 /** Whether a share is more than next to nothing. */
-export const telling = (share) => share !== null && share >= TOLD;
+export const telling = (chance) => chance !== null && chance.estimate >= TOLD;

@@ -133,14 +133,14 @@ export function shapes(sheet, room, what, hue = what.index) {
 
 /** A line around a place whose person is hit, thicker the more often; a bar across a door that stays blocked. */
 function mark(sheet, room, what, result, shown) {
-  const share = shareOf(result, shown, what);
-  if (!telling(share)) return null;
+  const chance = shareOf(result, shown, what);
+  if (!telling(chance)) return null;
   const one = thing(room, what);
   if (what.table === "places")
     return svg("path", {
       class: "hit",
       d: path(one.outline.map(sheet.place)),
-      "stroke-width": (2 + 6 * share).toFixed(1),
+      "stroke-width": (2 + 6 * chance.estimate).toFixed(1),
     });
   return inWall(sheet, "blocked", one.wall, [one.start, one.start + one.width], 0.5);
 }

@@ -9,7 +9,7 @@ import { strengthOf } from "../panel_shaking.js";
 import * as stages from "../stages.js";
 import { fate } from "../story.js";
 import * as transport from "../transport.js";
-import { both, length, percent, t } from "../words.js";
+import { both, length, share, t } from "../words.js";
 import { kindName } from "./kinds.js";
 import * as room from "./room.js";
 
@@ -152,9 +152,9 @@ function compare() {
     pieces = [...new Set(happens.hits.map(({ piece }) => kindName("furniture", piece)))].join(t("listed"));
   const told = [
     pieces
-      ? t("inThisHit", { pieces, share: percent(hit.estimate) })
-      : t("inThisNone", { share: percent(1 - hit.estimate) }),
-    happens.shut_in.length ? t("inThisShut", { share: percent(shut.estimate) }) : "",
+      ? t("inThisHit", { pieces, share: share(hit) })
+      : t("inThisNone", { share: share({ estimate: 1 - hit.estimate, low: 1 - hit.high, high: 1 - hit.low }) }),
+    happens.shut_in.length ? t("inThisShut", { share: share(shut) }) : "",
   ];
   line.textContent = told.filter(Boolean).join(t("space"));
 }

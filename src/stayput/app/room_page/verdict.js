@@ -3,7 +3,7 @@
 import { isAway } from "../connection.js";
 import { el, fill, part } from "../dom.js";
 import { worded } from "../refusals.js";
-import { both, number, perCent, percent, t } from "../words.js";
+import { both, number, perCent, share, t } from "../words.js";
 import { mayBe } from "./action_plan.js";
 import { basis, wholeRuns } from "./amounts.js";
 import { apply } from "./changes.js";
@@ -75,8 +75,8 @@ function brief(name, result, old) {
 function inBrief(result) {
   const { hit, shut_in: shut } = result;
   if (hit.estimate === null) return [both(result.verdict)];
-  const told = [t("briefHit", { share: percent(hit.estimate) })];
-  return shut.estimate > 0 ? [...told, t("briefShutIn", { share: percent(shut.estimate) })] : told;
+  const told = [t("briefHit", { share: share(hit) })];
+  return shut.estimate > 0 ? [...told, t("briefShutIn", { share: share(shut) })] : told;
 }
 
 /** Says the verdict; the same sentence is not said again. */

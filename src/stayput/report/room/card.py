@@ -26,13 +26,12 @@ from stayput.rooms.step_words import (
     too_weak,
     what_it_brings,
     where,
-    with_ends,
     worth_telling,
 )
 from stayput.rooms.steps import COST_BOUNDS, MARGIN, QUANTILE
 from stayput.uncertainty import USUAL, Lognormal
 from stayput.verification.room_words import motion_phrase, piece_name, piece_within
-from stayput.verification.words import shaking_phrase, share_text
+from stayput.verification.words import shaking_phrase
 from stayput.wording import joined
 
 if TYPE_CHECKING:
@@ -103,8 +102,8 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
                 for key, share in shares.items()
             )
             for shares in (
-                {key: share_text(was) for key, (_, was) in chances.items()},
-                {key: with_ends(chance) for key, (chance, _) in chances.items()},
+                {key: was.share for key, (_, was) in chances.items()},
+                {key: chance.texts for key, (chance, _) in chances.items()},
             )
         )
         only, strength = motion_phrase(verdict), shaking_phrase(verdict)
@@ -203,7 +202,7 @@ def _other(step: PlanStep, plan: ActionPlan, language: str) -> tuple[str, dict[s
     if fix is None or step.fix is None:
         return None
     assert step.overturned is not None
-    lines = _lines_of_other(fix, step.overturned.estimate, plan)
+    lines = _lines_of_other(fix, step.overturned, plan)
     return _own(language, "instead" if step.instead else "drilled"), _block(fix, lines, plan, language)
 
 
@@ -217,8 +216,7 @@ def _dead_end(plan: ActionPlan, language: str) -> dict[str, Any] | None:
     if not names:
         return None
     text = partial(_own, language)
-    now = plan.verdict.without.pieces
-    before = {piece.name: piece.probabilities[OVERTURNED].estimate for piece in now}
+    before = {piece.name: piece.probabilities[OVERTURNED] for piece in plan.verdict.without.pieces}
     drilled = {name: fix for name, fix in plan.drilled.items() if name in plan.unsolved}
     blocks = (
         (text("drilled_on", piece=piece_name(name)), fix, _lines_of_other(fix, before[name], plan))
@@ -255,17 +253,17 @@ def _lines(number: int, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
         moved = step.alone.pieces[body].probabilities[OVERTURNED]
         now = moved if fix is None else fix.overturns
         if fix is not None or now.estimate != was.estimate:
-            sentences.append(_overturns(was.estimate, now))
+            sentences.append(_overturns(was, now))
     sentences += what_it_brings(number, plan)
     yield "effect" if fix is None or fix.enough else "reaches", joined(sentences, "action_plan.next")
     if fix is not None and fix.cautions:
         yield "caution", joined(fix.cautions, "action_plan.next")
 
 
-def _lines_of_other(fix: Fix, was: float, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
+def _lines_of_other(fix: Fix, was: Probability, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
     """Yield the same of another way, for a piece that overturns so often as the room is."""
     sentences = [_overturns(was, fix.overturns)]
-    if not changes_nothing(fix.alone):
+    if not changes_nothing(fix.alone, plan):
         sentences.append(effects(fix.alone, plan))
     yield "effect" if fix.enough else "reaches", joined(sentences, "action_plan.next")
     yield "buy", joined(to_buy(purchase, fix) for purchase in fix.purchases)
@@ -273,8 +271,8 @@ def _lines_of_other(fix: Fix, was: float, plan: ActionPlan) -> Iterator[tuple[st
         yield "caution", joined(fix.cautions, "action_plan.next")
 
 
-def _overturns(was: float, now: Probability) -> Phrase:
-    return phrase("action_plan.overturns", was=share_text(was), now=with_ends(now))
+def _overturns(was: Probability, now: Probability) -> Phrase:
+    return phrase("action_plan.overturns", was=was.share, now=now.texts)
 
 
 def _notes(plan: ActionPlan) -> Iterator[Phrase]:

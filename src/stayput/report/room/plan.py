@@ -255,7 +255,10 @@ def room_plan(verdict: Verdict, language: str) -> str:
     people, pieces = people_in(verdict), verdict.without.pieces
     notes = {piece.name: text("overturns", piece.probabilities[OVERTURNED]) for piece in pieces}
     notes |= {place.place.name: text("is_hit", place.hit) for place in people.places}
-    notes |= {door.door.name: text("is_blocked", door.blocked) for door in people.doors}
+    already = say("rooms.already", language)
+    notes |= {
+        door.door.name: already if door.at_rest else text("is_blocked", door.blocked) for door in people.doors
+    }
     kinds = [table.kind for table in verdict.scenario.places]
     return plan_svg(_plan(verdict), _pieces(verdict), kinds, language, notes=notes).svg
 

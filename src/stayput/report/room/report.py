@@ -71,11 +71,11 @@ def tables(verdict: Verdict, options: Sequence[OptionVerdict], language: str) ->
         return tuple(say(f"rooms.{key}", language) for key in keys)
 
     def chance(value: Probability) -> str:
-        return numbers.with_interval(value, language)
+        return say(value.texts, language)
 
     hits: list[tuple[str, ...]] = []
     for place in people.places:
-        shares = (numbers.share(share, language) for share in (place.by_day, place.by_night))
+        shares = (numbers.probability(share, language) for share in (place.by_day, place.by_night))
         name = say(place_name(place.place), language)
         hits.append((name, *texts("any_piece"), chance(place.hit), *shares, "", "", ""))
         for hit in place.by:
@@ -83,9 +83,16 @@ def tables(verdict: Verdict, options: Sequence[OptionVerdict], language: str) ->
             way = say(f"rooms.{hit_by(hit)}", language)
             name = with_aside(say(piece_name(hit.piece), language), way, language)
             hits.append(("", name, chance(hit.probability), "", "", *strength, numbers.mass(hit.mass)))
-    ways = [(phrase("rooms.door_blocked", door=door_name(door.door)), door.blocked) for door in people.doors]
+    already = say("rooms.already", language)
+    ways = [
+        (
+            phrase("rooms.door_blocked", door=door_name(door.door)),
+            already if door.at_rest else chance(door.blocked),
+        )
+        for door in people.doors
+    ]
     shut_in = people.places if any(door.door.way_out for door in people.doors) else ()
-    ways += [(phrase("rooms.place_shut_in", place=place_name(p.place)), p.shut_in) for p in shut_in]
+    ways += [(phrase("rooms.place_shut_in", place=place_name(p.place)), chance(p.shut_in)) for p in shut_in]
     changes = [
         (
             verdict.label(option, language),
@@ -97,7 +104,6 @@ def tables(verdict: Verdict, options: Sequence[OptionVerdict], language: str) ->
         for option in options
         if option.people is not None
     ]
-    stuck = any(door.at_rest for door in people.doors)
     return (
         TextTable(
             texts("who", "by", "chance", "day", "night", "speed", "energy", "mass"),
@@ -106,8 +112,7 @@ def tables(verdict: Verdict, options: Sequence[OptionVerdict], language: str) ->
         ),
         TextTable(
             texts("way", "chance"),
-            tuple((say(label, language), chance(blocked)) for label, blocked in ways),
-            *(texts("blocked_at_rest") if stuck else ()),
+            tuple((say(label, language), blocked) for label, blocked in ways),
         ),
         TextTable(texts("change", "hit_then", "hit_less", "shut_in_then", "overturned_then"), tuple(changes)),
     )
@@ -171,6 +176,7 @@ def room_html(verdict: Verdict, language: str = "en") -> str:
         **shared_content(verdict, "room_report", kind, SHEETS, assumptions(verdict), language),
         "people": people,
         "headline": headline,
+        "risk": _risk(people.risk, people.hit.chance, language),
         "others": others,
         "simulations": simulations_of_room(verdict, language),
         "plan": Markup(room_plan(verdict, language)),
@@ -184,7 +190,7 @@ def room_html(verdict: Verdict, language: str = "en") -> str:
                 "hit": place.hit,
                 "times": [
                     (
-                        numbers.share(chance, language),
+                        numbers.probability(chance, language),
                         say("room_report.presence", language, share=numbers.share(time, language)),
                     )
                     for chance, time in ((place.by_day, place.place.day), (place.by_night, place.place.night))
@@ -210,6 +216,11 @@ def room_html(verdict: Verdict, language: str = "en") -> str:
         "moved": None if moved is None else (Markup(moved[0]), moved[1]),
     }
     return rendered("room/room.html", content)
+
+
+def _risk(risk: float, hit: Probability, language: str) -> str:
+    """Return a chance of being hit that counts how long somebody is there, as finely as that of a hit."""
+    return numbers.probability(hit.scaled(risk / hit.estimate if hit.estimate else 1.0), language)
 
 
 def hit_rows(verdict: Verdict, language: str) -> list[dict[str, Any]]:
@@ -265,7 +276,7 @@ def change_rows(verdict: Verdict, language: str) -> list[dict[str, Any]]:
                 "shut_in_change": change(people.shut_in.change),
                 "overturned": None if overturned is None else overturned[0],
                 "overturned_change": "" if overturned is None else change(overturned[1]),
-                "risk": numbers.share(people.risk, language),
+                "risk": _risk(people.risk, people.hit.chance, language),
             }
         )
     return sorted(rows, key=lambda row: KINDS.index(row["kind"]))

@@ -249,8 +249,8 @@ def people_data(people: People) -> dict[str, Any]:
             {
                 "name": place.place.name,
                 "hit": interval_data(place.hit),
-                "hit_by_day": number(place.by_day),
-                "hit_at_night": number(place.by_night),
+                "hit_by_day": number(place.by_day.estimate),
+                "hit_at_night": number(place.by_night.estimate),
                 "shut_in": interval_data(place.shut_in),
                 "shut_in_at_rest": place.shut_in_at_rest,
                 "by": [

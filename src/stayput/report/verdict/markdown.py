@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import stayput
 from stayput.catalogue import say
 from stayput.report.verdict.assumptions import assumptions, told
-from stayput.report.verdict.numbers import NO_NUMBER, length, with_interval, word
+from stayput.report.verdict.numbers import NO_NUMBER, length, word
 from stayput.report.verdict.tables import (
     DEVICE_COLUMNS,
     SHARES,
@@ -144,13 +144,13 @@ def _foot(verdict: Verdict, rests_on: Iterable[Assumption], language: str) -> It
 
 def _cells(row: RankingRow, several: bool, language: str) -> tuple[str, ...]:
     listed = word("listed", language)
-    shares = [NO_NUMBER if chance is None else with_interval(chance, language) for _, chance in row.shares]
+    shares = [NO_NUMBER if chance is None else say(chance.texts, language) for _, chance in row.shares]
     head, slide = (str(row.option.rank), row.label, *shares), listed.join(row.slide)
     if several:
-        each = listed.join(f"{name} {with_interval(chance, language)}" for name, chance in row.pieces)
+        each = listed.join(f"{name} {say(chance.texts, language)}" for name, chance in row.pieces)
         return *head, each, slide, row.reason
     label = with_aside(row.name, row.label, language) if row.name else row.label
-    contents = () if row.contents is None else (with_interval(row.contents, language),)
+    contents = () if row.contents is None else (say(row.contents.texts, language),)
     capacities = (with_aside(middle, ends, language) if ends else middle for middle, ends in row.capacities)
     return head[0], label, *shares, *contents, slide, *capacities, row.grade, row.reason
 

@@ -30,8 +30,9 @@ def share(value: float, language: str) -> str:
 
 
 def probability(chance: Probability, language: str) -> str:
-    """Return a probability: "12 %"; unknown without any run."""
-    return word("unknown", language) if chance.runs == 0 else share(chance.estimate, language)
+    """Return a probability in brief: "25 %", "<9 %"; unknown without any run."""
+    joint = " " if language == "en" else ""
+    return word("unknown", language) if chance.runs == 0 else f"{chance.brief}{joint}%"
 
 
 def interval(chance: Probability, language: str) -> str:
@@ -42,20 +43,9 @@ def interval(chance: Probability, language: str) -> str:
     return f"{low} to {high}" if language == "en" else f"{low}～{high}"
 
 
-def with_interval(chance: Probability, language: str) -> str:
-    """Return a probability with its interval: "12 % (7 to 20 %)"."""
-    text, ends = probability(chance, language), interval(chance, language)
-    return text + word("aside", language, content=ends) if ends else text
-
-
 def change(difference: Difference | None, language: str) -> str:
-    """Return a difference of probabilities: "−35 points (−48 to −20)"."""
-    if difference is None or difference.pairs == 0:
-        return NO_NUMBER
-    ends = say("fragility.ends", language, low=percent(difference.low), high=percent(difference.high))
-    joint, sign = " " if language == "en" else "", "+" if difference.estimate > 0.0 else ""
-    text = f"{sign}{percent(difference.estimate)}{joint}{word('points', language)}"
-    return text + word("aside", language, content=ends)
+    """Return a difference of probabilities: "−48 to −20 points", "no clear difference"."""
+    return NO_NUMBER if difference is None or difference.pairs == 0 else say(difference.texts, language)
 
 
 def length(metres: float, language: str) -> str:

@@ -13,7 +13,6 @@ from stayput.report.history import peak_told, window_of
 from stayput.report.names import motion_label
 from stayput.report.plot import plot_run
 from stayput.report.summary import sentences_of_piece
-from stayput.report.verdict import numbers
 from stayput.report.verdict.numbers import word
 from stayput.verification.replays import drawn_run
 from stayput.verification.words import title
@@ -85,7 +84,7 @@ def place_of_the_measure(verdict: Verdict, held: Run, language: str) -> str:
         return ""
     spared = "typical_never_falls" if chance.estimate == 0.0 else "typical_is_held"
     key = "typical_also_falls" if held.overturned else spared
-    text = word(key, language, share=numbers.share(chance.estimate, language))
+    text = word(key, language, share=chance.share)
     return f" {text}" if language == "en" else text
 
 

@@ -171,7 +171,7 @@ def _device(device: DeviceSummary, label: Phrase, language: str) -> tuple[str, .
     listed = word("listed", language)
     return (
         with_aside(name, place_named(where, language), language) if where else name,
-        numbers.with_interval(device.failed, language),
+        say(device.failed.texts, language),
         numbers.moment(device.failure_time, language),
         numbers.NO_NUMBER if device.weakest is None else say(device.weakest, language),
         listed.join(numbers.forces(device.peak, language)),
