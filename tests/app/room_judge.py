@@ -12,8 +12,8 @@ from browsing import opened
 from serving import AS_BEFORE
 
 from stayput.app.presets import ROOM_SCENE
-from stayput.rooms.verdict import FALLS
 from stayput.rooms.words import tags
+from stayput.simulation.stability import MAY_FALL_FROM, expected
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
@@ -53,7 +53,8 @@ def piece(name: str, overturned: float, risk: float) -> dict[str, Any]:
         "engine": "plane",
         "probabilities": {"overturned": chance(overturned), "slid": slid, "device_failed": chance(0.0)},
         "peak_slide_m": spread,
-        "falls": overturned >= FALLS,
+        "falls": overturned >= MAY_FALL_FROM,
+        "stability": expected(overturned, 1.0),
         "risk": risk,
         "outline_m": [(0.0, 1.5), (0.3, 1.5), (0.3, 2.3), (0.0, 2.3)],
         "fell": zone(overturned),

@@ -98,6 +98,7 @@ class RoomPieceReply(PartReply):
     name: str
     probabilities: dict[str, ShareReply]
     falls: bool = Field(description="Whether it overturns so often that it is to be held.")
+    stability: str = Field(description="How firmly it stands: stays, moves, may_fall or falls.")
     fell: ZoneReply = Field(description="Where it lies having overturned: its fall zone.")
     stood: ZoneReply = Field(description="Where it ends without having overturned: its slide zone.")
 

@@ -23,7 +23,8 @@ from stayput.rooms.changes import (
 )
 from stayput.rooms.events import EndOfRuns, Events, Hits, Ways, collisions, events_of, hits_of
 from stayput.rooms.runs import PartRuns, Question, RoomPart, placed_elsewhere
-from stayput.rooms.verdict import FALLS, ChangeVerdict, RoomEffect, presence
+from stayput.rooms.verdict import ChangeVerdict, RoomEffect, presence
+from stayput.simulation.stability import MAY_FALL_FROM
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -264,7 +265,7 @@ def harmful_pieces(state: RoomState) -> set[int]:
 
 def falling_pieces(as_it_is: Answer) -> set[int]:
     """Return the pieces that overturn so often that they are to be held, wherever they fall."""
-    return {body for body, chance in enumerate(as_it_is.overturning) if chance >= FALLS}
+    return {body for body, chance in enumerate(as_it_is.overturning) if chance >= MAY_FALL_FROM}
 
 
 def effect_of(

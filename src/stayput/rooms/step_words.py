@@ -10,9 +10,9 @@ from stayput.measures import Belt, Element, GelMats, Held, TensionPole, WedgeSto
 from stayput.measures.fixing import SCREW_IN_STUD
 from stayput.measures.wall import WallDevice
 from stayput.rooms.steps import STUD_PITCH, ActionPlan, Fix, PlanStep
-from stayput.rooms.verdict import FALLS, RoomEffect
 from stayput.rooms.words import interval_text, label_of, piece_name
 from stayput.simulation.placing import placed
+from stayput.simulation.stability import MAY_FALL_FROM
 from stayput.verification.words import class_phrase, share_text
 from stayput.wording import inside, joined
 
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from stayput.fragility.probabilities import Probability
     from stayput.rooms.steps import Purchase
+    from stayput.rooms.verdict import RoomEffect
 
 KILOGRAM = 9.80665
 """Weight of a kilogram, for people who read loads in kgf [N]."""
@@ -189,7 +190,8 @@ def falls(plan: ActionPlan) -> Phrase | None:
         now = with_ends(after[name])
         return phrase("action_plan.piece_falls_then", piece=piece_name(name), was=was, now=now)
 
-    often = [name for name in names if before[name] >= FALLS or (after and after[name].estimate >= FALLS)]
+    shares = {name: max(before[name], after[name].estimate if after else 0.0) for name in names}
+    often = [name for name in names if shares[name] >= MAY_FALL_FROM]
     often.sort(key=lambda name: -before[name])
     return joined(map(sentence, often)) if often else None
 

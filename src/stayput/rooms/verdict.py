@@ -6,6 +6,7 @@ from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.saved import InJson
+from stayput.simulation.stability import MAY_FALL_FROM
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -20,12 +21,10 @@ if TYPE_CHECKING:
     from stayput.montecarlo.counting import Quantiles
     from stayput.rooms.changes import Change
     from stayput.scenario import Scenario
+    from stayput.simulation.stability import Stability
 
 DAY_HOURS = 16.0
 """Hours of the day, those of the night being the rest of 24."""
-
-FALLS = 0.05
-"""Chance of overturning from which on a piece is to be held, even where it hits nobody and blocks no way."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,6 +124,8 @@ class RoomPiece:
         Its outline in plan as it stands [m].
     risk : float
         Chance that it hits a person, weighted by how long somebody is at each place.
+    stability : Stability
+        How firmly it stands.
     """
 
     name: str
@@ -135,16 +136,12 @@ class RoomPiece:
     stood: NDArray[np.float64]
     outline: NDArray[np.float64]
     risk: float
+    stability: Stability
 
     @property
     def falls(self) -> bool:
         """Whether it overturns so often that it is to be held, even where it hits nobody."""
-        return self.probabilities["overturned"].estimate >= FALLS
-
-    @property
-    def covers(self) -> NDArray[np.float64]:
-        """Share of the runs in which it ends on each cell of the floor, shape (nx, ny)."""
-        return self.fell + self.stood
+        return self.probabilities["overturned"].estimate >= MAY_FALL_FROM
 
 
 @dataclass(frozen=True, slots=True)

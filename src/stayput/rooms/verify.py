@@ -189,6 +189,7 @@ def verdict_of(question: Question, state: RoomState, slide_limit: float) -> Room
                 shares_covered(ends, tracks, ~fell),
                 tracks[0].outline(0),
                 risk_of(hits_by(events, only=body), plan.places, missing),
+                outcomes.stability(slide_limit),
             )
         )
     pieces.sort(key=lambda piece: (-round(piece.risk, 9), -piece.probabilities["overturned"].estimate))

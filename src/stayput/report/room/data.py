@@ -64,6 +64,7 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
                 "probabilities": {event: interval_data(p) for event, p in piece.probabilities.items()},
                 "peak_slide_m": quantiles_data(piece.slide),
                 "falls": piece.falls,
+                "stability": piece.stability,
                 "risk": number(piece.risk),
                 "outline_m": piece.outline.tolist(),
             }

@@ -27,6 +27,7 @@ from stayput.rooms.words import (
     place_name,
     tags,
 )
+from stayput.simulation.stability import FALLS_FROM, MAY_FALL_FROM
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -159,9 +160,11 @@ def room_html(verdict: RoomVerdict, language: str = "en") -> str:
         "others": others,
         "simulations": simulations_of_room(verdict, language),
         "plan": Markup(room_plan(verdict, language)),
-        "legend": [(Markup(swatch), name) for swatch, name in legend(verdict, language)],
+        "legend": [(Markup(swatch), name) for swatch, name in legend(language)],
         "hours": {"day": DAY_HOURS, "night": 24.0 - DAY_HOURS},
         "passage": PASSAGE,
+        "falls_from": FALLS_FROM,
+        "may_fall_from": MAY_FALL_FROM,
         "ways_out": any(door.door.way_out for door in verdict.doors),
         "places": [
             {
