@@ -316,6 +316,7 @@ def _verdicts(
                         outcomes.probabilities(slide_limit),
                         Quantiles.of(outcomes.slide, outcomes.overturned),
                         Quantiles.of(outcomes.tilt, outcomes.overturned),
+                        outcomes.stability(slide_limit),
                     )
                     for name, outcomes in zip(names, runs.of_bodies(), strict=True)
                 ),

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from stayput.measures.measure import Grade
     from stayput.scenario import Scenario
     from stayput.scenario.option import Option
+    from stayput.simulation.stability import Stability
     from stayput.verification.contents import ContentsVerdict
     from stayput.verification.notes import Estimates
     from stayput.verification.options import Impossible
@@ -100,12 +101,15 @@ class PieceVerdict:
         Of each of `EVENTS`; that of a device's failure counts all devices.
     slide, tilt : Quantiles
         Peak slide [m] and tilt [rad].
+    stability : Stability
+        How firmly it stands.
     """
 
     name: str
     probabilities: Mapping[str, Probability]
     slide: Quantiles
     tilt: Quantiles
+    stability: Stability
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False, kw_only=True)

@@ -39,8 +39,7 @@ export function zones(sheet, result, shown) {
 function cells(sheet, { nx, ny, shares }, cell, layer) {
   const bytes = Uint8Array.from(atob(shares), (letter) => letter.charCodeAt(0)),
     paths = Array.from({ length: STEPS + 1 }, () => "");
-  const stepAt = (ix, iy) =>
-    ix < nx && drawn(ix, iy, layer) ? Math.ceil((STEPS * bytes[ix * ny + iy]) / 255 - 1e-9) : 0;
+  const stepAt = (ix, iy) => (ix < nx ? Math.ceil((STEPS * bytes[ix * ny + iy]) / 255 - 1e-9) : 0);
   for (let iy = 0; iy < ny; iy++)
     for (let ix = 0, from = 0; ix < nx; ix++) {
       const step = stepAt(ix, iy);
@@ -52,9 +51,6 @@ function cells(sheet, { nx, ny, shares }, cell, layer) {
     d ? svg("path", { class: `cover ${layer} step${step}`, d }) : null,
   );
 }
-
-/** Where pieces come to stand is drawn as a chequer. */
-const drawn = (ix, iy, layer) => layer === "fell" || (ix + iy) % 2 === 0;
 
 function strip(sheet, [x0, y0], [x1, y1]) {
   const [left, low] = sheet.place([x0, y0]),

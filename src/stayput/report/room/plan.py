@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from string import ascii_lowercase
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -237,8 +238,11 @@ def _moved_svg(sheet: PlanSheet, before: NDArray[np.float64], after: NDArray[np.
 
 def _swatch_svg(*looks: str) -> str:
     """Return boxes of looks beside each other, for a legend."""
-    boxes = "".join(svg.box(8.0 * n, 0.0, 8.0 * n + 8.0, 12.0, look) for n, look in enumerate(looks))
-    wide = 8 * len(looks)
+    wide = 80 if looks[1:] else 12
+    ends = np.linspace(0.0, wide, len(looks) + 1).tolist()
+    boxes = "".join(
+        svg.box(x0, 0.0, x1, 12.0, look) for look, (x0, x1) in zip(looks, pairwise(ends), strict=True)
+    )
     return svg.element("svg", boxes, viewBox=f"0 0 {wide} 12", width=wide, height=12, aria_hidden="true")
 
 

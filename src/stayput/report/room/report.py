@@ -163,8 +163,8 @@ def room_html(verdict: RoomVerdict, language: str = "en") -> str:
         "legend": [(Markup(swatch), name) for swatch, name in legend(language)],
         "hours": {"day": DAY_HOURS, "night": 24.0 - DAY_HOURS},
         "passage": PASSAGE,
-        "falls_from": FALLS_FROM,
-        "may_fall_from": MAY_FALL_FROM,
+        "falls_from": 100.0 * FALLS_FROM,
+        "may_fall_from": 100.0 * MAY_FALL_FROM,
         "ways_out": any(door.door.way_out for door in verdict.doors),
         "places": [
             {

@@ -221,6 +221,7 @@ def _piece(piece: PieceVerdict, counts: bool) -> dict[str, Any]:
         "probabilities": {event: _probability(chance) for event, chance in piece.probabilities.items()},
         "peak_slide_m": quantiles_data(piece.slide),
         "peak_tilt_rad": quantiles_data(piece.tilt),
+        "stability": piece.stability,
     }
 
 
