@@ -12,8 +12,8 @@ from browsing import opened
 from serving import AS_BEFORE
 
 from stayput.app.presets import ROOM_SCENE
+from stayput.simulation.stability import MAY_FALL_FROM, expected
 from stayput.verification.room_words import tags
-from stayput.verification.verdict import FALLS
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
@@ -52,7 +52,8 @@ def piece(name: str, overturned: float, harm: float) -> dict[str, Any]:
         "name": name,
         "probabilities": {"overturned": chance(overturned), "slid": slid, "device_failed": chance(0.0)},
         "peak_slide_m": spread,
-        "falls": overturned >= FALLS,
+        "falls": overturned >= MAY_FALL_FROM,
+        "stability": expected(overturned, 1.0),
         "harm_J": harm,
         "overturned_change": None,
         "outline_m": [(0.0, 1.5), (0.3, 1.5), (0.3, 2.3), (0.0, 2.3)],

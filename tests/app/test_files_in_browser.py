@@ -96,7 +96,7 @@ def test_the_report_shows_what_says_most_and_plays_it_under_any_name(
     assert page.title() == NAMES[0]
     page.locator("iframe").first.scroll_into_view_if_needed()
     player = page.frame_locator("iframe").first
-    expect(player.locator("#mode-name")).not_to_be_empty(timeout=WAIT)
+    expect(player.locator("#stands")).not_to_be_empty(timeout=WAIT)
     poster = player.locator("#clock").inner_text()
     assert poster != "0.00 s"  # of the moment that says most
     player.locator("#play").click()

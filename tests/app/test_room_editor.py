@@ -117,7 +117,8 @@ def test_measures_that_fit_are_put_on_a_piece(editor: Editor) -> None:
 
 def test_a_verdict_is_drawn_in_layers(editor: Editor) -> None:
     grid = """(await import("/room/editor.js")).tellResult({ cell_m: 0.5,
-        pieces: ["bookcase", "chest"].map((name) => ({ name, probabilities: { overturned: { estimate: 0.4 } },
+        pieces: ["bookcase", "chest"].map((name, i) => ({ name, stability: ["may_fall", "moves"][i],
+          probabilities: { overturned: { estimate: 0.4 } },
           fell: { nx: 2, ny: 1, shares: btoa(String.fromCharCode(255, 26)) },
           stood: { nx: 2, ny: 1, shares: btoa(String.fromCharCode(0, 0)) } })),
         places: [{ name: "bed", hit: { estimate: 0.3 } }],
@@ -128,7 +129,11 @@ def test_a_verdict_is_drawn_in_layers(editor: Editor) -> None:
     classes = editor.page.eval_on_selector_all(
         "#plan .cover", "all => all.map((one) => one.getAttribute('class'))"
     )
-    assert sorted(classes) == sorted(f"cover fell hue{hue} step{step}" for hue in (0, 1) for step in (2, 10))
+    assert sorted(classes) == sorted(2 * [f"cover fell step{step}" for step in (2, 10)])
+    steps = editor.page.eval_on_selector_all(
+        "#plan .standing", "all => all.map((one) => one.getAttribute('class'))"
+    )
+    assert steps == ["standing may_fall", "standing moves"]
     told = editor.page.text_content("#plan .layer-names") or ""
     assert "hit: 30" in told
     assert "overturns: 40" in told

@@ -12,6 +12,8 @@ from browsing import DESK, LOOKS, PHONE, WAIT, grave
 from PIL import Image
 
 import stayput as sp
+from stayput.report.animation import film_of
+from stayput.report.palette import STABILITY_COLOURS, rgb, stability_looks
 
 if TYPE_CHECKING:
     from collections.abc import Generator
@@ -67,9 +69,20 @@ def written(run: Any, folder: Path, language: str = "en") -> Path:
 
 
 def coloured(shown: np.ndarray[Any, Any]) -> tuple[float, float]:
-    """What parts of a picture are of the first and of the second body: blue and orange."""
+    """What parts of a picture are of what moves and of what falls: blue and red."""
     red, blue = shown[..., 0], shown[..., 2]
     return float((blue > red + 60).mean()), float((red > blue + 60).mean())
+
+
+def shows_how_firmly_they_stand(page: Page, run: Any, time: float) -> None:
+    """The page has the states and the colours that Python has."""
+    scene = film_of(run).scene
+    steps = [scene.stability_at(body, time) for body in range(2)]
+    told = "all => all.map((one) => getComputedStyle(one).backgroundColor)"
+    chips = page.eval_on_selector_all("#bodies .chip", told)
+    assert chips == ["rgb({}, {}, {})".format(*rgb(STABILITY_COLOURS[step])) for step in steps]
+    assert page.locator("#stands").inner_text() == stability_looks("en")[steps[0]][0]
+    assert [share > 0.005 for share in coloured(picture(page))] == ["moves" in steps, "falls" in steps]
 
 
 def test_the_scene_is_drawn_and_follows_the_slider_and_the_views(
@@ -78,10 +91,11 @@ def test_the_scene_is_drawn_and_follows_the_slider_and_the_views(
     with opened(webgl, written(run, tmp_path)) as page:
         assert page.locator("#flat").is_hidden()
         first = picture(page)
-        assert min(coloured(first)) > 0.005
+        shows_how_firmly_they_stand(page, run, 0.5)
         page.locator("#time").fill("900")
         page.wait_for_function("document.getElementById('clock').textContent === '1.79 s'")
         later = picture(page)
+        shows_how_firmly_they_stand(page, run, 1.79)
         assert differ(first, later) > 0.005
         for view in ("Front", "Side", "Top", "Corner"):
             page.get_by_label(view, exact=True).check()

@@ -17,7 +17,7 @@ from stayput.report.film.posed import posed
 from stayput.report.film.scene import ground_displacement
 from stayput.report.history import cut_run, spans, telling, window_of, with_overturning
 from stayput.report.names import motion_label
-from stayput.report.palette import MODE_COLOURS, rgb
+from stayput.report.palette import MODE_COLOURS, STABILITY_COLOURS, rgb
 from stayput.report.plot import plot_motion, plot_run
 from stayput.simulation.outcome import Mode, Outcome
 from stayput.simulation.space_records import matrices
@@ -127,7 +127,7 @@ def test_a_body_that_overturned_lies_until_the_motion_ends():
         assert np.ptp(corners, axis=0) == pytest.approx([BODY.height, BODY.width, BODY.width], abs=1e-9)
     film = film_of(falling())
     assert film.scene.end == 4.0  # not 4 s after the fall, as the motion ends before
-    assert film.scene.data()["modes"][-1] == (2.51, "overturned")
+    assert film.scene.data()["bodies"][0]["stability"][-1] == (pytest.approx(1.9, abs=0.3), "falls")
 
 
 def test_the_room_is_drawn_to_scale_and_moves_with_the_ground():
@@ -149,12 +149,10 @@ def test_the_room_is_drawn_to_scale_and_moves_with_the_ground():
     assert across == pytest.approx(moved[0] * height / 1.8, abs=4.0)
 
 
-def test_a_film_shows_the_modes_as_a_band():
+def test_a_film_shows_how_firmly_a_piece_stands_as_a_band():
     frame = np.asarray(Painter(film_of(falling()), 640, 480).frame(1.0))
     colours = {tuple(colour) for colour in frame[420:440].reshape(-1, 3).tolist()}
-    assert {
-        rgb(MODE_COLOURS[mode]) for mode in (Mode.REST, Mode.SLIDE, Mode.ROCK, Mode.OVERTURNED)
-    } <= colours
+    assert {rgb(STABILITY_COLOURS[step]) for step in ("stays", "moves", "falls")} <= colours
 
 
 def test_runs_side_by_side_share_their_times_and_their_scale():

@@ -62,8 +62,8 @@ def test_a_player_stands_alone_and_holds_any_name(run: sp.Run, names: list[str])
     assert found
     data = json.loads(found[1])
     assert [body["name"] for body in data["bodies"]] == names
-    modes = ["rest", "slide", "rest", "rock", "overturned"] if run.engine == "plane" else []
-    assert [mode for _, mode in data["modes"]] == modes
+    steps = [["stays", "moves", "falls"]] if run.engine == "plane" else [["stays"], ["moves"], ["stays"]]
+    assert [[step for _, step in body["stability"]] for body in data["bodies"]] == steps
     declared = re.findall(r"^(?:const|let|function) (\w+)", page.rsplit("<script", 1)[1], re.MULTILINE)
     assert len(declared) == len(set(declared)), "all modules share one scope"
     assert len(page) < 130_000

@@ -29,6 +29,7 @@ from stayput.report.room.sheet import (
 )
 from stayput.report.verdict import numbers
 from stayput.scenario import Scenario
+from stayput.simulation.stability import Stability
 from stayput.verification import Verdict
 from stayput.verification.changes import Change, with_changes
 from stayput.verification.events import CELL, Zones
@@ -80,7 +81,7 @@ def made(**changed):
         own = {event: next(left) for event in EVENTS}
         zones = Zones(fell, 0.0 * fell, rectangle(standing.at[:2], 0.3, 0.8, standing.heading))
         slide, harm = Quantiles(0.021 + n, 0.043 + n), 123.0 - 100.0 * n
-        pieces.append(PieceVerdict(names[n], own, slide, slide, None, harm, zones))
+        pieces.append(PieceVerdict(names[n], own, slide, slide, Stability.FALLS, None, harm, zones))
     by = [
         HitVerdict(
             name,
@@ -311,8 +312,8 @@ def test_it_is_written_whole_and_refuses_other_names(tmp_path):
 def drawn(**options):
     verdict = made()
     pieces = [
-        DrawnPiece(one.name, look, one.zones.outline, 0.0, one.zones.covers)
-        for look, one in enumerate(verdict.without.pieces)
+        DrawnPiece(one.name, one.zones.outline, 0.0, one.stability, one.zones.fell, one.zones.stood)
+        for one in verdict.without.pieces
     ]
     plan = verdict.scenario.scene().plan
     return plan, plan_svg(plan, pieces, ["bed", "cot"], "en", **options).svg
@@ -334,7 +335,7 @@ def test_the_plan_is_to_scale_with_y_upwards():
     wanted = [sheet.place(x, y) for x, y in plan.places[0].corners.tolist()]
     assert bed == pytest.approx(np.array(wanted), abs=0.05)
     assert np.ptp(bed[:, 0]) == pytest.approx(2.0 * sheet.scale, abs=0.11)  # a bed of 2 m, turned along x
-    standing = polygons(picture, "standing hue0")
+    standing = polygons(picture, "standing falls")
     assert standing[0][:, 1].mean() == pytest.approx(sheet.place(0.0, 1.0)[1], abs=0.1)
 
 
@@ -355,22 +356,13 @@ def test_cells_are_drawn_where_they_are_and_in_the_step_of_their_share():
     found = {
         int(step): [float(value) for value in re.findall(r"[\d.]+", path)]
         for path, step in re.findall(
-            r'd="([^"]*)" class="cover hue0 step(\d+)"', covers_svg(sheet, covers, 0)
+            r'd="([^"]*)" class="cover fell step(\d+)"', covers_svg(sheet, covers, "fell")
         )
     }
     assert sorted(found) == [1, 4, 10]
     x0, y0, x1, y1, _ = found[4]
     assert (x0, y1) == pytest.approx(sheet.place(0.5, 1.0), abs=0.06)
     assert (x1, y0) == pytest.approx(sheet.place(0.7, 1.05), abs=0.06)
-
-
-@pytest.mark.parametrize("look", [7, 14])
-def test_an_eighth_piece_has_the_first_colour_in_stripes(look):
-    sheet, covers = PlanSheet(made().scenario.scene().plan), np.ones((80, 60))
-    plain, striped = covers_svg(sheet, covers, 0), covers_svg(sheet, covers, look)
-    assert "hue0 " in plain
-    assert "hue0 " in striped
-    assert plain != striped
 
 
 def test_the_front_is_marked_and_a_round_piece_has_none():
@@ -383,7 +375,7 @@ def test_the_front_is_marked_and_a_round_piece_has_none():
     angle = np.linspace(0.0, 2.0 * math.pi, 32, endpoint=False)
     round_one = np.column_stack([2.0 + np.cos(angle), 1.0 + np.sin(angle)])
     picture = plan_svg(
-        made().scenario.scene().plan, [DrawnPiece("vase", 0, round_one, 0.0)], ["bed", "cot"], "en"
+        made().scenario.scene().plan, [DrawnPiece("vase", round_one, 0.0)], ["bed", "cot"], "en"
     ).svg
     assert 'class="front"' not in picture
 
@@ -431,7 +423,7 @@ def test_numbers_and_letters_stand_for_names_that_would_overlap():
     """Of ten pieces side by side in a large room the names overlap; the numbers of the steps do not."""
     plan = replace(made().scenario.scene().plan, width=12.0, length=9.0)
     corners = np.array([[0.0, 0.0], [0.3, 0.0], [0.3, 0.4], [0.0, 0.4]])
-    pieces = [DrawnPiece(f"a long name {n}", n, corners + np.array([0.0, 0.5 * n]), 0.0) for n in range(10)]
+    pieces = [DrawnPiece(f"a long name {n}", corners + np.array([0.0, 0.5 * n]), 0.0) for n in range(10)]
     numbered = {piece.name: str(n) for n, piece in enumerate(pieces[:8], 1)}
     few, many = (
         plan_svg(where, own, ["bed", "cot"], "en", numbered=numbered, letters=letters)
@@ -482,7 +474,7 @@ def test_a_piece_that_is_moved_is_turned_about_the_middle_of_its_base():
     option = with_changes(verdict.scenario.stated, [change], verdict.scenario.names)
     moved = replace(verdict, options=(replace(verdict.others[1], option=option), verdict.without))
     picture, _ = change_plan(moved, "en")
-    sheet, standing = PlanSheet(verdict.scenario.scene().plan), polygons(picture, "standing hue0")[0]
+    sheet, standing = PlanSheet(verdict.scenario.scene().plan), polygons(picture, "standing unknown")[0]
     low, high = standing.min(axis=0), standing.max(axis=0)
     assert 0.5 * (low + high) == pytest.approx(sheet.place(2.0, 2.8), abs=0.1)
     assert high - low == pytest.approx(sheet.scale * np.array([0.8, 0.3]), abs=0.2)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import base64
 import dataclasses
 import json
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,14 +17,10 @@ from stayput.report.animation import film_of
 from stayput.report.film.frames import VIEWS, Camera, Painter, _from_far, _hull_of
 from stayput.report.film.scene import RATE, scene_of
 from stayput.report.film.shape import shape_of
-from stayput.report.palette import BODY_COLOURS, rgb
+from stayput.report.palette import LINE_COLOURS, STABILITY_COLOURS, rgb
 from stayput.report.plot import plot_run
 from stayput.report.summary import sentence
 from stayput.simulation.space_records import matrices
-
-if TYPE_CHECKING:
-    from pathlib import Path
-
 
 NAMES = ["cupboard", "drum", "vase"]
 
@@ -155,13 +151,16 @@ def test_near_bodies_are_drawn_over_those_they_hide() -> None:
         assert drawn.index(0) < drawn.index(1)
 
 
-def test_frames_show_each_body_in_its_colour(tmp_path: Path) -> None:
-    painter = Painter(film_of(spinning().named(NAMES), "en"), 640, 480)
-    shown = np.asarray(painter.frame(0.7)).astype(int).reshape(-1, 3)
-    for colour in BODY_COLOURS[:3]:  # light and shade leave the hue
-        hue = np.array(rgb(colour)) / max(rgb(colour))
-        near = np.abs(shown / np.maximum(shown.max(axis=1, keepdims=True), 1) - hue).max(axis=1) < 0.02
-        assert near.sum() > 300
+def test_frames_show_each_body_by_how_firmly_it_stands() -> None:
+    film = film_of(spinning().named(NAMES), "en")
+    painter = Painter(film, 640, 480)
+    for time in (0.0, 0.7):
+        shown = np.asarray(painter.frame(time)).astype(int).reshape(-1, 3)
+        present = {film.scene.stability_at(body, time) for body in range(3)}
+        for step, colour in STABILITY_COLOURS.items():  # light and shade leave the hue
+            hue = np.array(rgb(colour)) / max(rgb(colour))
+            near = np.abs(shown / np.maximum(shown.max(axis=1, keepdims=True), 1) - hue).max(axis=1) < 0.02
+            assert (near.sum() > 300) == (step in present)
 
 
 def test_what_became_of_the_bodies() -> None:
@@ -227,7 +226,7 @@ def test_a_still_run_of_several_bodies_is_plotted_in_japanese() -> None:
 
 def test_bodies_of_one_colour_have_other_dashes_and_long_titles_are_wrapped() -> None:
     one = falling()
-    count = len(BODY_COLOURS) + 1
+    count = len(LINE_COLOURS) + 1
     poses = np.repeat(one.place, count, axis=0), np.repeat(one.attitude, count, axis=0)
     names = [f"a piece with a long name, number {b}" for b in range(count)]
     run = of_poses(count * one.standing, *poses).named(names)

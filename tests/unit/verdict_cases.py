@@ -13,6 +13,7 @@ from stayput.fragility.trials import Trials
 from stayput.measures import Belt, FeltGlides
 from stayput.montecarlo.counting import EVENTS, Member, Quantiles
 from stayput.scenario.option import Option
+from stayput.simulation.stability import expected
 from stayput.standards.equipment import equipment_loads
 from stayput.verification.notes import Ac156Estimate, Estimates, SlidingShare
 from stayput.verification.verdict import DeviceSummary, OptionVerdict, PieceVerdict, Verdict
@@ -52,7 +53,7 @@ def option(name, measures, rank, share, *, bare, middle=6.0, slide=0.03, devices
     return OptionVerdict(
         option=Option(name, (measures,)),
         rank=rank,
-        pieces=(PieceVerdict("bookcase", chances, slides, tilts),),
+        pieces=(PieceVerdict("bookcase", chances, slides, tilts, expected(share, share)),),
         probabilities=chances,
         change=difference(fallen, bare) if measures else None,
         slide=slides,

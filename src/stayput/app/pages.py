@@ -15,6 +15,7 @@ from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 
 from stayput.catalogue import LANGUAGES, TEXTS, earthquake, page, room_page
+from stayput.report.page import inks_css
 
 if TYPE_CHECKING:
     from collections.abc import Awaitable, Callable
@@ -106,6 +107,7 @@ def page_routes() -> list[Mount | Route]:
             for folder in PAGES
             for name in ("", "index.html")
         ),
+        Route("/canvas/inks.css", _file(inks_css(), "text/css")),
         Route("/words_table.js", _file(f"export const TABLES = {tables};\n", "text/javascript")),
         Route("/room", to_room),
         *(Mount(f"/{path}".rstrip("/"), PackageFiles(*folder)) for path, folder in reversed(FOLDERS.items())),

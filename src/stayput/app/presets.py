@@ -29,7 +29,6 @@ from stayput.motion.ground_shaking import (
 )
 from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.suites.synthesis import synthetic_suite
-from stayput.report.palette import MODE_COLOURS
 from stayput.verification.options import USUAL
 
 if TYPE_CHECKING:
@@ -124,10 +123,6 @@ def presets(limits: Limits) -> replies.PresetsReply:
         intensities=[_intensity(name, start) for name, start in CLASSES],
         measures=[_measure(name, kind) for name, kind in MEASURES.items()],
         numbers={name: _parameter(number) for name, number in NUMBERS.items()},
-        modes=[
-            replies.ModeReply(id=mode.value, label=Words.of(names.MODES[mode]), colour=colour)
-            for mode, colour in MODE_COLOURS.items()
-        ],
         outcomes=_named(names.OUTCOMES),
         events=_named(names.EVENTS),
         scene=SCENE,

@@ -147,12 +147,6 @@ class MeasureReply(Reply):
     parameters: list[ParameterReply]
 
 
-class ModeReply(NamedReply):
-    """A way in which a body moves."""
-
-    colour: str
-
-
 class LimitsReply(Reply):
     """What the server accepts."""
 
@@ -194,7 +188,6 @@ class PresetsReply(Reply):
     numbers: dict[str, ParameterReply] = Field(
         description="Numbers and words of a scene by their dotted names."
     )
-    modes: list[ModeReply]
     outcomes: list[NamedReply]
     events: list[NamedReply]
     scene: dict[str, Any] = Field(description="A scene to begin with.")

@@ -145,6 +145,14 @@ MODES: dict[str, tuple[str, str]] = {
 }
 """How a body moves."""
 
+STABILITY: dict[str, tuple[str, str]] = {
+    "stays": ("stays put", "動かない"),
+    "moves": ("moves", "動く"),
+    "may_fall": ("may fall", "倒れることがある"),
+    "falls": ("falls", "倒れる"),
+}
+"""How firmly a piece stands."""
+
 OUTCOMES: dict[str, tuple[str, str]] = {
     "rested": ("stayed put", "動かない"),
     "slid": ("slid", "滑った"),

@@ -1,5 +1,9 @@
 """Texts of the app's page; its script fills in what stands in braces."""
 
+from __future__ import annotations
+
+from stayput.catalogue.names import STABILITY
+
 SHARED = (
     "app.busy",
     "common.colon",
@@ -239,8 +243,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The room moves with the shaking unless that is switched off. Drag sideways to turn the picture, pinch or Ctrl and the wheel to come nearer; with the picture in focus, the arrow keys turn it. The lighter or striped side is the front. What holds the piece is drawn over it; a cross marks where it has failed. Space plays and pauses, the arrow keys step.",
         "設定を外さない限り、部屋は地震とともに動きます。横にドラッグすると回転し、つまむ操作やコントロールキーとホイールで拡大・縮小できます。図を選ぶと矢印キーでも回転します。明るい面または縞のある側が正面です。器具は家具の上に重ねて描き、壊れた所には×印を付けています。スペースキーで再生・停止、矢印キーでコマ送りできます。",
     ),
-    "nowInPlane": ("{mode} · tilt {tilt}° · moved {slide}", "{mode}・傾き{tilt}°・移動{slide}"),
-    "nowInSpace": ("tilt {tilt}° · moved {slide} · turned {yaw}°", "傾き{tilt}°・移動{slide}・回転{yaw}°"),
+    **{f"scale_{step}": name for step, name in STABILITY.items()},
+    "nowInPlane": ("{stands} · tilt {tilt}° · moved {slide}", "{stands}・傾き{tilt}°・移動{slide}"),
+    "nowInSpace": (
+        "{stands} · tilt {tilt}° · moved {slide} · turned {yaw}°",
+        "{stands}・傾き{tilt}°・移動{slide}・回転{yaw}°",
+    ),
     "nowMost": ("largest tilt {tilt}°", "最大の傾き{tilt}°"),
     "placeBorehole": ("In the borehole, below the ground,", "地中（ボアホールの底）で、"),
     "placeGround": ("On the ground,", "地面の上、"),

@@ -262,8 +262,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "layer_hit": ("Who is hit", "人に当たる確率"),
     "layer_blocked": ("Blocked doors", "ふさがるドア"),
     "layersHint": (
-        "Plain cells: where it lies overturned; chequered ones: where it stands. The stronger the colour, the more often.",
-        "塗りは倒れている範囲、市松模様は立ったまま止まる範囲です。濃いほど多く起こります。",
+        "On the floor, the colour of what falls shows where it lies, that of what moves where it comes to stand. The stronger the colour, the more often.",
+        "床の「倒れる」の色は倒れている範囲、「動く」の色は立ったまま止まる範囲です。濃いほど多く起こります。",
     ),
     # Where something is
     "metresLong": ("{value} m", "{value} m"),

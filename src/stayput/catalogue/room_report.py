@@ -17,11 +17,19 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "plan_text": (
         (
-            "Outlines show the pieces as they stand now, with a thick side at the front. Coloured cells show where each "
-            "lies or stands after the shaking: the lightest in up to 10 % of the runs, the darkest in over 90 %."
+            "The pieces are drawn as they stand now, with a thick side at the front. A piece falls if it overturns in at "
+            "least {falls:.0f} % of the runs and may fall from {may_fall:.0f} % on; it moves if it slides too far or rocks in "
+            "at least {may_fall:.0f} %. Cells show where pieces are after the shaking: the lightest in up to 10 % of the "
+            "runs, the darkest in over 90 %."
         ),
-        "輪郭は地震前の家具で、太い辺が前面です。色の付いた範囲は揺れの後に各家具がある場所で、最も薄い色は確率10%以下、最も濃い色は90%超を示します。",
+        (
+            "家具は地震前の位置に描き、太い辺が前面です。転倒が計算の{falls:.0f}%以上なら「倒れる」、{may_fall:.0f}%以上なら"
+            "「倒れることがある」、大きく滑るか揺れ動くのが{may_fall:.0f}%以上なら「動く」とします。塗った範囲は揺れの後に家具がある"
+            "場所で、最も薄い色は確率10%以下、最も濃い色は90%超を示します。"
+        ),
     ),
+    "fell": ("ends overturned here", "倒れている範囲"),
+    "stood": ("ends standing here", "立ったまま止まる範囲"),
     "metres": ("{value:g} m", "{value:g} m"),
     "window": ("Window, {width:g} m wide", "窓、幅{width:g} m"),
     "is_hit": ("hit: {share}", "当たる：{share}"),

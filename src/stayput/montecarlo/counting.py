@@ -10,6 +10,7 @@ import numpy as np
 
 from stayput.fragility.probabilities import probability_of_counts
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
+from stayput.simulation.stability import ROCKS, expected
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.fragility.probabilities import Probability
+    from stayput.simulation.stability import Stability
 
 OVERTURNED, SLID, HIT_WALL, DEVICE_FAILED = "overturned", "slid", "hit_wall", "device_failed"
 EVENTS = (OVERTURNED, SLID, HIT_WALL, DEVICE_FAILED)
@@ -101,6 +103,12 @@ class Outcomes:
         """Return the probability of each of `EVENTS`; ``slide_limit`` is the slide that is too far [m]."""
         happened = self.happened(slide_limit)
         return {event: self._probability(flags) for event, flags in zip(EVENTS, happened, strict=True)}
+
+    def stability(self, slide_limit: float) -> Stability:
+        """Return how firmly it stands; it moves where it slides too far or rocks."""
+        fell, slid, *_ = self.happened(slide_limit)
+        shares = (self._probability(flags).estimate for flags in (fell, fell | slid | (self.tilt > ROCKS)))
+        return expected(*shares)
 
     def _probability(self, happened: NDArray[np.bool_]) -> Probability:
         known = ~self.missing

@@ -21,7 +21,7 @@ from stayput.report.film.scene import DRIFT_CORNER, FilmScene, scene_of
 from stayput.report.history import AFTER, cut_run, peak_told, telling, window_of
 from stayput.report.names import motion_label, names_of
 from stayput.report.page import Player, file_of, filled, inks_css, script_json, script_module
-from stayput.report.palette import mode_looks
+from stayput.report.palette import stability_looks
 from stayput.report.summary import sentences
 from stayput.wording import check_language
 
@@ -40,7 +40,7 @@ FrameAt: TypeAlias = Callable[[float], Image.Image]
 """Draws the frame of an instant [s], in RGB."""
 
 _SHORTEST = 2  # hundredths of a second between a GIF's frames: browsers slow down what is shorter
-_COLOURS = 64  # colours of a GIF
+_COLOURS = 96  # colours of a GIF
 _SAMPLED = 12  # frames from which these are chosen
 
 _OF_PICTURE = ("tilt", "slide", "yaw", "strip", "shaken", "scene", "tilt_of", "keys", "no_webgl")
@@ -229,7 +229,7 @@ def player_page(film: Film, speed: float, hold: float, *, plays: bool = True) ->
     texts = {key: say(name, film.language) for key, name in PLAYER_TEXTS.items()}
     data = {
         **film.scene.data(),
-        "looks": mode_looks(film.language),
+        "looks": {step: name for step, (name, _) in stability_looks(film.language).items()},
         "title": film.title,
         "strip_title": film.strip_title,
         "speed": speed,

@@ -16,6 +16,7 @@ from markupsafe import Markup
 import stayput
 from stayput.catalogue import say
 from stayput.files import check_target, draft
+from stayput.report.palette import STABILITY_COLOURS
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
@@ -179,7 +180,8 @@ def script_module(script: str) -> str:
 
 def inks_css() -> str:
     """Return the colours of a scene in both themes, as the text of a style sheet."""
-    return canvas_files()["inks.css"].read_text(encoding="utf-8")
+    steps = "".join(f"  --{step}: {colour};\n" for step, colour in STABILITY_COLOURS.items())
+    return f":root {{\n{steps}}}\n" + canvas_files()["inks.css"].read_text(encoding="utf-8")
 
 
 def filled(page: str, texts: Mapping[str, str], code: Mapping[str, str]) -> str:

@@ -6,19 +6,28 @@ The mode colours are those of Okabe and Ito (2008), *Color universal design*.
 from __future__ import annotations
 
 from stayput.catalogue import say
-from stayput.catalogue.names import MODES
+from stayput.catalogue.names import STABILITY
 from stayput.simulation.outcome import EventKind, Mode
+from stayput.simulation.stability import Stability
+
+STABILITY_COLOURS: dict[Stability, str] = {
+    Stability.STAYS: "#dbe7ef",
+    Stability.MOVES: "#7fc0ea",
+    Stability.MAY_FALL: "#e08a00",
+    Stability.FALLS: "#b03200",
+}
+"""Colour of a piece by how firmly it stands: each darker than the one before, cool while it stands."""
 
 MODE_COLOURS: dict[Mode, str] = {
-    Mode.REST: "#b9bec5",
+    Mode.REST: STABILITY_COLOURS[Stability.STAYS],
     Mode.SLIDE: "#56b4e9",
-    Mode.ROCK: "#e69f00",
+    Mode.ROCK: "#0072b2",
     Mode.SLIDE_ROCK: "#009e73",
     Mode.FLIGHT: "#cc79a7",
     Mode.LEAN: "#f0e442",
-    Mode.OVERTURNED: "#d55e00",
+    Mode.OVERTURNED: STABILITY_COLOURS[Stability.FALLS],
 }
-"""Colour of each mode."""
+"""Colour of each mode in a plot of histories."""
 
 EVENT_MARKERS: dict[EventKind, tuple[str, str]] = {
     EventKind.FLOOR_IMPACT: ("v", "#1f2933"),
@@ -57,8 +66,8 @@ PAPER = "#ffffff"
 ALARM = "#d55e00"
 """Time cursor and overturning."""
 
-BODY_COLOURS = ("#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442", "#d55e00", "#0072b2")
-"""Colours of bodies in space, one after the other."""
+LINE_COLOURS = ("#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442", "#d55e00", "#0072b2")
+"""Colours of the lines of several pieces, one after the other."""
 
 COMPONENT_COLOURS: dict[str, str] = {"x": "#0072b2", "y": "#009e73", "z": "#cc79a7"}
 """Colour of each component of a motion."""
@@ -69,15 +78,6 @@ def rgb(colour: str) -> tuple[int, int, int]:
     return int(colour[1:3], 16), int(colour[3:5], 16), int(colour[5:7], 16)
 
 
-def mode_looks(language: str) -> dict[str, dict[str, str]]:
-    """Return colour and name of each mode, for a page in a language.
-
-    Parameters
-    ----------
-    language : str
-        "en" or "ja".
-    """
-    return {
-        mode.value: {"colour": colour, "label": say(MODES[mode], language)}
-        for mode, colour in MODE_COLOURS.items()
-    }
+def stability_looks(language: str) -> dict[Stability, tuple[str, str]]:
+    """Return name and colour of each step of the scale, in "en" or "ja"."""
+    return {step: (say(STABILITY[step], language), colour) for step, colour in STABILITY_COLOURS.items()}

@@ -36,10 +36,10 @@ from stayput.report.history import spans, with_overturning
 from stayput.report.names import acceleration_label, motion_label, names_of
 from stayput.report.palette import (
     ALARM,
-    BODY_COLOURS,
     COMPONENT_COLOURS,
     EVENT_MARKERS,
     INK,
+    LINE_COLOURS,
     MODE_COLOURS,
     MUTED,
     ROOM,
@@ -417,12 +417,12 @@ def _draw_modes(strip: Axes, present: dict[Mode, list[tuple[float, float]]], lan
 
 def _colour(run: Run, piece: int) -> str:
     """Return the colour of a piece; one alone in the plane has that of ink."""
-    return INK if run.engine == "plane" else BODY_COLOURS[piece % len(BODY_COLOURS)]
+    return INK if run.engine == "plane" else LINE_COLOURS[piece % len(LINE_COLOURS)]
 
 
 def _dashes(body: int) -> Any:
     """Return the line style of a body, which tells apart bodies of one colour."""
-    return ("-", "--", ":")[body // len(BODY_COLOURS) % 3]
+    return ("-", "--", ":")[body // len(LINE_COLOURS) % 3]
 
 
 def _piece_handles(run: Run, language: str) -> list[Line2D]:

@@ -13,7 +13,8 @@ from stayput.measures.sketch import sketch
 from stayput.model.body import Body
 from stayput.model.state import State, standing_corners, wall_faces
 from stayput.report.figures import FONT, label_axes
-from stayput.report.palette import BODY_COLOURS, INK, MUTED, ROLE_COLOURS, ROOM
+from stayput.report.palette import INK, MUTED, ROLE_COLOURS, ROOM, STABILITY_COLOURS
+from stayput.simulation.stability import Stability
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -59,7 +60,7 @@ def draw_section(axis: Axes, held: Held, language: str, *, dashed: bool = False)
     if dashed:
         axis.add_patch(Polygon(outline, fill=False, edgecolor=MUTED, linestyle="--"))
     else:
-        axis.add_patch(Polygon(outline, facecolor=BODY_COLOURS[0], alpha=0.4))
+        axis.add_patch(Polygon(outline, facecolor=STABILITY_COLOURS[Stability.STAYS]))
         axis.add_patch(Polygon(outline, fill=False, edgecolor=INK, linewidth=1.4))
         _draw_centre(axis, body, (a, b))
         _draw_measures(axis, held)

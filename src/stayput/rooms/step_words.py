@@ -12,8 +12,8 @@ from stayput.measures.wall import WallDevice
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.rooms.steps import STUD_PITCH, ActionPlan, Fix, PlanStep
 from stayput.simulation.placing import placed
+from stayput.simulation.stability import MAY_FALL_FROM
 from stayput.verification.room_words import label_of, people_in, piece_name
-from stayput.verification.verdict import FALLS, OptionVerdict
 from stayput.verification.words import class_phrase
 from stayput.wording import inside, joined
 
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
     from stayput.fragility.probabilities import Probability
     from stayput.rooms.steps import Purchase
+    from stayput.verification.verdict import OptionVerdict
 
 KILOGRAM = 9.80665
 """Weight of a kilogram, for people who read loads in kgf [N]."""
@@ -191,9 +192,8 @@ def falls(plan: ActionPlan) -> Phrase | None:
         now = after[name].texts
         return phrase("action_plan.piece_falls_then", piece=piece_name(name), was=was, now=now)
 
-    often = [
-        name for name in names if max(before[name].estimate, after.get(name, before[name]).estimate) >= FALLS
-    ]
+    shares = {name: max(before[name].estimate, after.get(name, before[name]).estimate) for name in names}
+    often = [name for name in names if shares[name] >= MAY_FALL_FROM]
     often.sort(key=lambda name: -before[name].estimate)
     return joined(map(sentence, often)) if often else None
 

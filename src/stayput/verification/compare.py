@@ -315,6 +315,7 @@ def option_verdict(
                 outcomes.probabilities(limit),
                 Quantiles.of(outcomes.slide, outcomes.overturned),
                 Quantiles.of(outcomes.tilt, outcomes.overturned),
+                outcomes.stability(limit),
                 change(outcomes, without),
                 harm[n],
                 zones[n],

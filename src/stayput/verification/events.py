@@ -243,11 +243,6 @@ class Zones(NamedTuple):
     stood: NDArray[np.float64]
     outline: NDArray[np.float64]
 
-    @property
-    def covers(self) -> NDArray[np.float64]:
-        """Share of the runs in which it ends on each cell of the floor, shape (nx, ny)."""
-        return self.fell + self.stood
-
 
 def zones_of(runs: Runs, pieces: Sequence[Piece], watcher: Watcher, plan: FloorPlan) -> list[Zones | None]:
     """Return where each piece ends in runs; None where its tracks were not kept."""

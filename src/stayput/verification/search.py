@@ -14,6 +14,7 @@ import numpy as np
 from stayput.errors import InputError
 from stayput.measures import MEASURES
 from stayput.model.floor_plan import FACING
+from stayput.simulation.stability import MAY_FALL_FROM
 from stayput.simulation.tracks import outline_of
 from stayput.verification.changes import (
     Change,
@@ -25,7 +26,6 @@ from stayput.verification.changes import (
     with_changes,
 )
 from stayput.verification.people import hardest, harm_of, hits_in, risk_of
-from stayput.verification.verdict import FALLS
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterator, Sequence
@@ -96,7 +96,7 @@ def overturning(runs: Runs) -> list[float]:
 
 def falling_pieces(runs: Runs) -> set[int]:
     """Return the pieces that overturn so often that they are to be held, wherever they fall."""
-    return {body for body, chance in enumerate(overturning(runs)) if chance >= FALLS}
+    return {body for body, chance in enumerate(overturning(runs)) if chance >= MAY_FALL_FROM}
 
 
 def harmful_pieces(contest: Contest, scene: Scene, runs: Runs) -> set[int]:

@@ -9,6 +9,7 @@ import numpy as np
 
 from stayput.montecarlo.counting import OVERTURNED, Member, Quantiles
 from stayput.saved import InJson
+from stayput.simulation.stability import MAY_FALL_FROM
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
@@ -26,15 +27,13 @@ if TYPE_CHECKING:
     from stayput.measures.measure import Grade
     from stayput.scenario import Scenario
     from stayput.scenario.option import Option
+    from stayput.simulation.stability import Stability
     from stayput.verification.changes import Change
     from stayput.verification.contents import ContentsVerdict
     from stayput.verification.events import Zones
     from stayput.verification.notes import Estimates
     from stayput.verification.options import Impossible
     from stayput.verification.people import People
-
-FALLS = 0.05
-"""Chance of overturning from which on a piece is to be held, even where it hits nobody and blocks no way."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,6 +105,8 @@ class PieceVerdict:
         Of each of `EVENTS`; that of a device's failure counts all devices.
     slide, tilt : Quantiles
         Peak slide [m] and tilt [rad].
+    stability : Stability
+        How firmly it stands.
     change : Difference, optional
         Probability that it overturns less that without anything; none of the latter itself.
     harm : float
@@ -119,6 +120,7 @@ class PieceVerdict:
     probabilities: Mapping[str, Probability]
     slide: Quantiles
     tilt: Quantiles
+    stability: Stability
     change: Difference | None = None
     harm: float = 0.0
     zones: Zones | None = None
@@ -126,7 +128,7 @@ class PieceVerdict:
     @property
     def falls(self) -> bool:
         """Whether it overturns so often that it is to be held, even where it hits nobody."""
-        return self.probabilities[OVERTURNED].estimate >= FALLS
+        return self.probabilities[OVERTURNED].estimate >= MAY_FALL_FROM
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False, kw_only=True)

@@ -12,6 +12,7 @@ from stayput.fragility.probabilities import percent
 from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED, SLID
 from stayput.motion.floors import floor_phrase
 from stayput.motion.intensity import intensity_class
+from stayput.simulation.stability import MAY_FALL_FROM
 from stayput.wording import FAR, inside, is_open, joined, name_within, with_aside
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 SMALL = 0.005
 """A share below this is not mentioned."""
 
-SAFE = 0.05
+SAFE = MAY_FALL_FROM
 """A piece is called safe where the upper ends of the 95 % intervals of its risks are below this.
 
 Seismic margins ask the same: high confidence (95 %) of a low probability of failure (5 %), HCLPF.

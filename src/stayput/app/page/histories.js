@@ -47,14 +47,14 @@ const dashOf = (k) => DASHES[k % DASHES.length];
 /** What the lines of several pieces are: {name, colour, dash} for each; none of one piece. */
 export const piecesKey = ({ runs }) =>
   runs[0].scene.bodies.length > 1
-    ? runs[0].scene.bodies.map(({ name, colour }, k) => ({ name, colour, dash: dashOf(k).join(" ") }))
+    ? runs[0].scene.bodies.map(({ name, line: colour }, k) => ({ name, colour, dash: dashOf(k).join(" ") }))
     : [];
 
 /** The lines of a history: of each run, or of each piece where there are several. */
 function series({ runs }, key, factor) {
   const several = runs[0].scene.bodies.length > 1;
   return runs.flatMap(({ time_s: times, scene }, i) =>
-    scene.bodies.map(({ colour, ...body }, k) => {
+    scene.bodies.map(({ line: colour, ...body }, k) => {
       const look = several ? { dash: dashOf(k), colour } : lookOf(i);
       return { times, values: body[key], factor, ...look };
     }),

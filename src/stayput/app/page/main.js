@@ -161,7 +161,7 @@ function again() {
   build();
   upload.again();
   understand.again();
-  see.again(presets);
+  see.again();
   if (shown) display();
   keep.update(measures.inPlace(current()).length > 0);
   tellWait(waiting);
@@ -228,7 +228,6 @@ async function begin() {
   for (const panel of PANELS) panel.build(presets);
   await take(location.hash);
   build();
-  see.name(presets);
   keep.films(presets.films);
   understand.build(request);
   watch((keys) => {

@@ -91,9 +91,7 @@ export function list(run, outcomes, back) {
     el(
       "ul",
       { class: "key" },
-      ...run.pieces.map((one, i) =>
-        fate(one, { name: one.name, colour: run.scene.bodies[i].colour, outcomes: labels }),
-      ),
+      ...run.pieces.map((one) => fate(one, { name: one.name, outcomes: labels })),
     ),
     el("p", { class: "hint", text: t("piecesNote") }),
     el("button", { type: "button", text: t("ownPiece"), onclick: back }),

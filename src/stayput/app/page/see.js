@@ -5,11 +5,11 @@ import { drawBuilding } from "./building.js";
 import { deviceKey, drawHistories, piecesKey, setHistories, timeAt } from "./histories.js";
 import { shownSpan, telling } from "./runs.js";
 import * as stages from "./stages.js";
+import { colourFates } from "./story.js";
 import * as transport from "./transport.js";
 import { both, length, number, t } from "./words.js";
 
-let result = null,
-  modes = {};
+let result = null;
 
 export const clock = transport.clock;
 
@@ -21,32 +21,26 @@ function draw(now) {
   });
   if (result.building && part("tower").clientWidth)
     drawBuilding(part("tower"), result.building, result.floor, now);
+  colourFates(part("pieces"), result.runs[0].scene, now);
   drawHistories(part("histories"), now);
 }
 
-/** Says how what stands there moves now: of several pieces that which is tilted most. */
+/** Says how what stands there stands now: of several pieces that which is tilted most. */
 function tellNow(which, scene, now) {
   const states = scene.bodies.map((body) => body.state(now)),
     most = states.reduce((one, other) => (other.tilt > one.tilt ? other : one)),
-    mode = modes[scene.mode(now)];
-  const key = mode ? "nowInPlane" : states.length > 1 ? "nowMost" : "nowInSpace";
+    stands = scene.bodies[states.indexOf(most)].stands(now);
+  const key = states.length > 1 ? "nowMost" : result.inPlane ? "nowInPlane" : "nowInSpace";
   part(`now-${which}`).textContent = t(key, {
-    mode: mode?.label,
+    stands: t(`scale_${stands}`),
     tilt: number(Math.abs(degrees(most.tilt)), 1),
     slide: length(Math.abs(most.slide)),
     yaw: number(Math.abs(degrees(most.yaw))),
   });
-  part(`chip-${which}`).hidden = !mode;
-  if (mode) part(`chip-${which}`).style.background = mode.colour;
+  part(`chip-${which}`).style.background = `var(--${stands})`;
 }
 
 const degrees = (angle) => (angle * 180) / Math.PI;
-
-/** Reads what the server calls the modes, and their colours. */
-export function name(presets) {
-  modes = Object.fromEntries(presets.modes.map(({ id, colour, label }) => [id, { colour, label: both(label) }]));
-  clock.redraw();
-}
 
 /** Shows a result: runs, floor and building of one simulation. */
 export function show(shaken) {
@@ -101,8 +95,7 @@ function entry({ name, dash, colour = null }) {
 export const lookAt = () => part("stages").scrollIntoView({ block: "nearest" });
 
 /** Writes the words again, for another language or theme. */
-export function again(presets) {
-  name(presets);
+export function again() {
   transport.again();
   stages.build();
   if (result) show(result);

@@ -64,7 +64,7 @@ function peaks(run) {
     .flatMap((one) => [
       t("peakTilt", { tilt: number((one.peak_tilt_rad * 180) / Math.PI, 1) }),
       t("peakSlide", { slide: length(one.peak_slide_m) }),
-      ...(run.scene.modes.length
+      ...(run.scene.from === "side"
         ? []
         : [t("turnedAtEnd", { yaw: number((Math.abs(one.residual_yaw_rad) * 180) / Math.PI, 1) })]),
     ]);
@@ -79,14 +79,18 @@ function peaks(run) {
   return parts.join(t("space"));
 }
 
-/** A line of a key: a piece's colour, its name, what became of it and when, else "standing". */
-export function fate({ outcome, fall_time_s: fell, overturn_time_s: lay }, { name, colour, outcomes, standing = null }) {
+/** Colours the lines of a key, if it has any, by how firmly each piece of a scene stands at a time. */
+export const colourFates = (key, { bodies }, now) =>
+  key.querySelectorAll(".chip").forEach((chip, i) => (chip.style.background = `var(--${bodies[i].stands(now)})`));
+
+/** A line of a key: a piece's name, what became of it and when, else "standing"; see `colourFates`. */
+export function fate({ outcome, fall_time_s: fell, overturn_time_s: lay }, { name, outcomes, standing = null }) {
   const time = fell ?? lay,
     told = [outcomes[outcome], time === null ? standing : `${number(time, 1)}\u00a0s`].filter(Boolean);
   return el(
     "li",
     {},
-    el("span", { class: "chip", style: `background: ${colour}` }),
+    el("span", { class: "chip" }),
     el("span", { text: `${name}${t("colon")}${told.join(t("listed"))}` }),
   );
 }

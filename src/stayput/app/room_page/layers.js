@@ -8,10 +8,7 @@ import { DEFAULTS } from "./kinds.js";
 export const LAYERS = ["fell", "stood", "hit", "blocked"];
 
 const STEPS = 10, // of the share of the runs
-  HUES = 7,
   TOLD = 0.005; // a share below is told of nobody
-
-export const hueOf = (index) => index % HUES;
 
 /** A verdict with pieces, places and doors in the order of the room's own; null for those that it does not know. */
 export function inOrderOf(room, result) {
@@ -32,18 +29,17 @@ export function inOrderOf(room, result) {
 /** The cells of the floor on which pieces come to lie, or to stand, darker where they do so more often. */
 export function zones(sheet, result, shown) {
   if (!result) return [];
-  return result.pieces.flatMap((piece, index) =>
+  return result.pieces.flatMap((piece) =>
     ["stood", "fell"]
       .filter((layer) => shown.includes(layer) && piece?.[layer])
-      .flatMap((layer) => cells(sheet, piece[layer], result.cell_m, index, layer)),
+      .flatMap((layer) => cells(sheet, piece[layer], result.cell_m, layer)),
   );
 }
 
-function cells(sheet, { nx, ny, shares }, cell, index, layer) {
+function cells(sheet, { nx, ny, shares }, cell, layer) {
   const bytes = Uint8Array.from(atob(shares), (letter) => letter.charCodeAt(0)),
     paths = Array.from({ length: STEPS + 1 }, () => "");
-  const stepAt = (ix, iy) =>
-    ix < nx && drawn(ix, iy, index, layer) ? Math.ceil((STEPS * bytes[ix * ny + iy]) / 255 - 1e-9) : 0;
+  const stepAt = (ix, iy) => (ix < nx ? Math.ceil((STEPS * bytes[ix * ny + iy]) / 255 - 1e-9) : 0);
   for (let iy = 0; iy < ny; iy++)
     for (let ix = 0, from = 0; ix < nx; ix++) {
       const step = stepAt(ix, iy);
@@ -52,14 +48,8 @@ function cells(sheet, { nx, ny, shares }, cell, index, layer) {
       from = ix + 1;
     }
   return paths.map((d, step) =>
-    d ? svg("path", { class: `cover ${layer} hue${hueOf(index)} step${step}`, d }) : null,
+    d ? svg("path", { class: `cover ${layer} step${step}`, d }) : null,
   );
-}
-
-/** From the eighth piece on colours come back, in stripes; where pieces come to stand is drawn as a chequer. */
-function drawn(ix, iy, index, layer) {
-  if (layer === "stood" && (ix + iy) % 2) return false;
-  return index < HUES || (Math.floor(index / HUES) % 2 ? iy : ix) % 3 > 0;
 }
 
 function strip(sheet, [x0, y0], [x1, y1]) {

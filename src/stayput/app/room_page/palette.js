@@ -129,7 +129,6 @@ function picture(table, id) {
   const middle = opens ? [0.2 + at.width / 2, 2 - (table === "doors" ? at.width / 2 : 0)] : [1, 1];
   const place = ([x, y]) => [PICTURE / 2 + scale * (x - middle[0]), PICTURE / 2 - scale * (y - middle[1])];
   const sheet = { scale, place, atWall: (_, along, into = 0) => place([along, 2 - into]) };
-  const hue = furnitureKinds().findIndex((kind) => kind.id === id),
-    box = { viewBox: `0 0 ${PICTURE} ${PICTURE}`, width: PICTURE, height: PICTURE };
-  return svg("svg", { class: "plan-room", "aria-hidden": "true", ...box }, ...shapes(sheet, one, what, hue));
+  const box = { viewBox: `0 0 ${PICTURE} ${PICTURE}`, width: PICTURE, height: PICTURE };
+  return svg("svg", { class: "plan-room", "aria-hidden": "true", ...box }, ...shapes(sheet, one, what));
 }

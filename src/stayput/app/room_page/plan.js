@@ -6,7 +6,7 @@ import { described } from "./described.js";
 import { extents, onWall, thing, things } from "./geometry.js";
 import { DEFAULTS, TABLES, nameOf } from "./kinds.js";
 import { nameTexts } from "./labels.js";
-import { LAYERS, hueOf, inOrderOf, notes, shareOf, telling, zones } from "./layers.js";
+import { LAYERS, inOrderOf, notes, shareOf, telling, zones } from "./layers.js";
 import { doorShapes, feltAt, inWall, pieceShapes, placeShapes, windowShapes } from "./shapes.js";
 import { WALL, path, sheetFor } from "./sheet.js";
 
@@ -38,7 +38,7 @@ export function drawPlan(element, room, options = {}) {
       group.replaceChildren(
         ...[
           readOnly ? svg("title", { text: described(room, what) }) : null,
-          ...shapes(sheet, room, what),
+          ...shapes(sheet, room, what, result?.pieces[index]?.stability),
           mark(sheet, room, what, result, shown),
         ].filter(Boolean),
       );
@@ -122,10 +122,10 @@ function ground(sheet) {
   return [box(WALL, "walls"), box(0, "ground")];
 }
 
-/** What a thing looks like. */
-export function shapes(sheet, room, what, hue = what.index) {
+/** What a thing looks like; a piece by how firmly it stands. */
+export function shapes(sheet, room, what, stands = "unknown") {
   const one = thing(room, what);
-  if (what.table === "furniture") return pieceShapes(sheet, one, hueOf(hue));
+  if (what.table === "furniture") return pieceShapes(sheet, one, stands);
   if (what.table === "places")
     return placeShapes(sheet, one, room.places[what.index].kind ?? DEFAULTS.places.kind);
   return what.table === "doors" ? doorShapes(sheet, one) : windowShapes(sheet, one);

@@ -9,13 +9,13 @@ export const drawn = (name, points, closed = false) => svg("path", { class: name
 
 const shape = (sheet, points, name, closed = true) => drawn(name, points.map(sheet.place), closed);
 
-/** A piece: its outline and, at its front, a thick side. */
-export function pieceShapes(sheet, one, hue) {
+/** A piece: its outline and, at its front, a thick side; "stands": how firmly, where that is known. */
+export function pieceShapes(sheet, one, stands) {
   const { at, heading, width, length, round } = one,
     inwards = 2 / sheet.scale,
     front = [-0.5, 0.5].map((side) => inFrame(at, heading, [width / 2 - inwards, side * length]));
   return [
-    shape(sheet, one.outline, `standing hue${hue}`),
+    shape(sheet, one.outline, `standing ${stands}`),
     ...(round ? [] : [shape(sheet, front, "front", false)]),
   ];
 }

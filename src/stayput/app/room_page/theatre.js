@@ -7,7 +7,7 @@ import { worded } from "../refusals.js";
 import { shake, shownSpan, telling } from "../runs.js";
 import { strengthOf } from "../panel_shaking.js";
 import * as stages from "../stages.js";
-import { fate } from "../story.js";
+import { colourFates, fate } from "../story.js";
 import * as transport from "../transport.js";
 import { both, length, share, t } from "../words.js";
 import { kindName } from "./kinds.js";
@@ -52,7 +52,9 @@ export function again(presets) {
 }
 
 function draw(now) {
-  if (shown) stages.draw(0, now);
+  if (!shown) return;
+  stages.draw(0, now);
+  colourFates(part("fates"), shown.result.runs[0].scene, now);
 }
 
 const soon = settled(SETTLED, () => work());
@@ -168,10 +170,9 @@ function display() {
   part("space").setAttribute("aria-label", both(run.sentence));
   fill(
     part("fates"),
-    run.pieces.map((one, i) => {
-      const standing = t("slidBy", { slide: length(one.peak_slide_m ?? 0) }),
-        { colour } = run.scene.bodies[i];
-      return fate(one, { name: kindName("furniture", one.name), colour, outcomes, standing });
+    run.pieces.map((one) => {
+      const standing = t("slidBy", { slide: length(one.peak_slide_m ?? 0) });
+      return fate(one, { name: kindName("furniture", one.name), outcomes, standing });
     }),
   );
   compare();

@@ -1,6 +1,6 @@
 // A canvas's pen, and the colours of the style sheet for what is drawn with it.
 
-const INKS = "paper card ink muted faint room mark record alarm calm halo tie pad".split(" ");
+const INKS = "paper card ink muted faint room mark record alarm calm halo tie pad stays moves may_fall falls".split(" ");
 
 /** The colours, from the style sheet; see `readInks`. */
 export const ink = {};

@@ -54,14 +54,13 @@ export function spacePainter(canvas, first) {
   }
 
   function prepare() {
-    const meshes = scene.bodies.map(({ shape, footprint_m: footprint, colour }) => {
+    const meshes = scene.bodies.map(({ shape, footprint_m: footprint }) => {
       const mesh = bodyMesh(shape);
       return {
         body: triangles(gl, mesh.body),
         marks: triangles(gl, mesh.marks),
         edges: segments(gl, mesh.edges),
         footprint: segments(gl, around(footprint)),
-        colour: parts(colour),
       };
     });
     const faces = surfaces(scene).map(({ corners, normal, offset }) => {
@@ -176,13 +175,14 @@ export function spacePainter(canvas, first) {
     const ground = { colour: mixed(paper, room, 0.16), lines: mixed(paper, room, 0.42), dark: 0.26 };
     drawSurface(floor, { ...ground, alpha: fromAbove ? 1 : 0.3, lineAlpha: fromAbove ? 1 : 0.4 }, eye);
     const lines = { view, projection, canvas: [width, height] };
-    made.meshes.forEach(({ footprint, colour }) => {
-      const outline = [...mixed(colour, EDGE, 0.25), 0.9];
+    made.meshes.forEach(({ footprint }) => {
+      const outline = [...parts(ink.muted), 0.9];
       use(tools.programs.LINES, { ...lines, model: STILL, width: 2.2 * sharp, colour: outline });
       strip(footprint);
     });
-    made.meshes.forEach(({ body, marks, edges, colour }, b) => {
-      const look = { model: models[b], eye, light: made.light, colour, towardsLight: LIGHT };
+    made.meshes.forEach(({ body, marks, edges }, b) => {
+      const colour = parts(ink[scene.bodies[b].stands(t)]),
+        look = { model: models[b], eye, light: made.light, colour, towardsLight: LIGHT };
       use(tools.programs.BODIES, look);
       gl.enable(gl.POLYGON_OFFSET_FILL);
       gl.polygonOffset(1, 2);

@@ -59,7 +59,7 @@ export function flatPainter(canvas, first) {
       return { ...body, b, corners, apart: Math.hypot(...vec.minus(matrix.slice(12, 15), from)) };
     });
     const unmoved = scene.still.map((one) => ({ ...one, apart: Math.hypot(...vec.minus(middle(one.lines[0]), from)) }));
-    for (const { b, shape, corners, colour, ...one } of [...bodies, ...unmoved].sort((p, q) => q.apart - p.apart)) {
+    for (const { b, shape, corners, stands, ...one } of [...bodies, ...unmoved].sort((p, q) => q.apart - p.apart)) {
       if (!shape) drawStill(pen, seen, one);
       for (const face of shape?.faces ?? []) {
         const [p, q, r] = face.map((i) => corners[i]);
@@ -67,7 +67,7 @@ export function flatPainter(canvas, first) {
         pen.beginPath();
         for (const i of face) pen.lineTo(...seen(corners[i]));
         pen.closePath();
-        pen.fillStyle = colour;
+        pen.fillStyle = ink[stands(t)];
         pen.fill();
         pen.strokeStyle = "#1f2933";
         pen.lineWidth = b === chosen ? 2 * STROKE : STROKE;

@@ -26,12 +26,15 @@ export function spaceScene(data) {
     const place = numbers(body.place_m),
       attitude = numbers(body.attitude);
     const [tilt, slide, yaw] = [body.tilt_rad, body.slide_m, body.yaw_rad].map(numbers);
-    const toCentre = mat.moved(vec.times(body.centre_of_gravity_m, -1));
+    const steps = body.stability,
+      toCentre = mat.moved(vec.times(body.centre_of_gravity_m, -1));
     return {
       ...body,
       tilts: tilt,
       slides: slide,
       yaws: yaw,
+      /** How firmly it stands at a time: the name of an ink. */
+      stands: (t) => (steps.findLast(([from]) => from <= t) ?? steps[0])[1],
       /** From the body's frame into the room. */
       matrix(t) {
         const [i, share] = sample(t),
@@ -60,9 +63,6 @@ export function spaceScene(data) {
     accelerations,
     /** From where it is seen at first: one of VIEWS. */
     from,
-    modes: data.modes,
-    /** How the body moves at a time, in the plane. */
-    mode: (t) => data.modes.findLast(([start], i) => i === 0 || start <= t)?.[1],
     /** Both ends of all devices in the room, by the bodies' matrices, and whether each has failed. */
     ties: (matrices, t) => ends.map((tie) => tie(matrices, t)),
     shift: (t) => along(shift, 3, t),

@@ -11,12 +11,19 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFilter
 
 from stayput.catalogue import say
-from stayput.catalogue.names import MODES
 from stayput.report.film.layout import FrameLayout
-from stayput.report.film.scene import body_colour
 from stayput.report.film.shape import OPENINGS, STILL_LOOKS, StillShape, cut
-from stayput.report.palette import ALARM, INK, MODE_COLOURS, PAPER, ROLE_COLOURS, ROOM, rgb
-from stayput.simulation.outcome import Mode
+from stayput.report.palette import (
+    ALARM,
+    INK,
+    MUTED,
+    PAPER,
+    ROLE_COLOURS,
+    ROOM,
+    STABILITY_COLOURS,
+    rgb,
+    stability_looks,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -103,6 +110,7 @@ class Painter:
         scene = self._draw_room(camera)
         places, turns = film.scene.pose(time)
         corners = [film.scene.corners(b, turns[b], places[b]) for b in range(len(places))]
+        colours = [STABILITY_COLOURS[film.scene.stability_at(b, time)] for b in range(len(places))]
         self._draw_shadows(scene, camera, corners)
         draw = ImageDraw.Draw(scene)
         pen = ImageDraw.Draw(scene, "RGBA")  # which mixes colours
@@ -115,7 +123,7 @@ class Painter:
         hulls = [_hull_of(*each) for each in zip(film.scene.shapes, corners, turns, strict=True)]
         for n in _from_far(camera.place, [*hulls, *self._boxes]):
             if n < len(hulls):
-                body = film.scene.shapes[n], corners[n], turns[n], body_colour(n)
+                body = film.scene.shapes[n], corners[n], turns[n], colours[n]
                 _draw_body(draw, camera, self._line, *body)
             else:
                 _draw_still(pen, camera, self._line, self._places[n - len(hulls)])
@@ -124,25 +132,22 @@ class Painter:
                 _draw_still(pen, camera, self._line, opening)
         self._draw_ties(draw, camera, time, places, turns)
         image = self._layout.frame(scene, time)
-        text, chip = self._state(time)
-        self._layout.head(image, film.title if time >= film.scene.end else text, chip)
-        if len(corners) > 1:
-            self._layout.legend(image, {name: body_colour(b) for b, name in enumerate(film.scene.names)})
+        text = "" if len(corners) > 1 else self._state(time)
+        self._layout.head(image, film.title if time >= film.scene.end else text)
+        names = film.scene.names if len(corners) > 1 else ()
+        rows = stability_looks(film.language).values(), zip(names, colours, strict=False)
+        self._layout.legend(image, rows)
         return image
 
-    def _state(self, time: float) -> tuple[str, str | None]:
-        """Return how the only body moves at a time [s], and the colour of its mode; of several nothing."""
+    def _state(self, time: float) -> str:
+        """Return how the only body stands at a time [s]."""
         run, language = self._film.scene.run, self._film.language
-        if len(run.pieces) > 1:
-            return "", None
         tilt, slide = (
             float(np.interp(time, run.time, values)) for values in (np.degrees(run.tilt), 100.0 * run.slide)
         )
         state = say("space.state", language, tilt=abs(tilt), slide=abs(slide))
-        if not len(run.mode):
-            return state, None
-        mode = Mode(str(run.mode[max(0, int(np.searchsorted(run.time, time, side="right")) - 1)]))
-        return f"{say(MODES[mode], language)}{say('common.colon', language)}{state}", MODE_COLOURS[mode]
+        name, _ = stability_looks(language)[self._film.scene.stability_at(0, time)]
+        return f"{name}{say('common.colon', language)}{state}"
 
     def _draw_room(self, camera: Camera) -> Image.Image:
         """Draw floor, walls and ceiling, where they face the camera, and where bodies stood."""
@@ -156,7 +161,7 @@ class Painter:
             foot = self._film.scene.footprint(b)
             if len(foot):
                 outline = camera.seen(np.concatenate([foot, foot[:1]]))
-                _stroke(draw, outline, _mixed(body_colour(b), INK, 0.25), self._line)
+                _stroke(draw, outline, MUTED, self._line)
         return image
 
     def _draw_face(

@@ -8,10 +8,11 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from stayput.report.fonts import font, with_face, wrapped
-from stayput.report.history import spans
-from stayput.report.palette import ALARM, COMPONENT_COLOURS, FAINT, INK, MODE_COLOURS, MUTED, PAPER
+from stayput.report.palette import ALARM, COMPONENT_COLOURS, FAINT, INK, MUTED, PAPER, STABILITY_COLOURS
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from PIL import ImageFont
 
     from stayput.report.animation import Film
@@ -49,7 +50,7 @@ class FrameLayout:
 
     def __init__(self, film: Film, width: int, height: int) -> None:
         heading, caption = film.strip_title, f"{film.note} {film.caption}".strip()
-        self._run = film.scene.run
+        self._run, self._steps = film.scene.run, film.scene.stability
         self._size = (width, height)
         self._span = (film.scene.start, film.scene.end)
         unit = height / 480.0
@@ -60,7 +61,7 @@ class FrameLayout:
         self._heading = _set(heading, 13 * unit, right - left - 48 * unit)
         if "\n" in self._heading.text:
             self._heading = _set(heading, 11 * unit, right - left - 48 * unit)
-        self._band = round(7 * unit) if len(self._run.mode) else 0
+        self._band = round(7 * unit) if len(self._steps) == 1 else 0
         bottom = height - self._band - round(max(46 * unit, self._caption.height + 14 * unit))
         self._strip = (left, bottom - round(58 * unit), right, bottom)
         above = round(max(22 * unit, self._heading.height + 6 * unit))
@@ -69,7 +70,7 @@ class FrameLayout:
         self._still = self._drawn_once()
 
     def _drawn_once(self) -> Image.Image:
-        """Return what all frames share: the strip with its heading, the modes below it, and the caption."""
+        """Return what all frames share: the strip, how firmly a lone piece stands below it, and the texts."""
         time, parts = self._run.motion.time, self._run.motion.components
         image = Image.new("RGB", self._size, PAPER)
         draw = ImageDraw.Draw(image)
@@ -93,9 +94,9 @@ class FrameLayout:
             place = (left - 4, middle - half * level / peak)
             draw.text(place, f"{level:z.1f}", fill=MUTED, font=small, anchor="rm")
         draw.text((left - 4, middle), "m/s²", fill=MUTED, font=small, anchor="rm")
-        for first, last, mode in spans(self._run):
-            low, high = (left + (right - left) * (at - start) / (end - start) for at in (first, last))
-            draw.rectangle((low, bottom + 1, high, bottom + self._band), fill=MODE_COLOURS[mode])
+        for first, step in self._steps[0] if self._band else ():
+            low = left + (right - left) * (first - start) / (end - start)
+            draw.rectangle((low, bottom + 1, right, bottom + self._band), fill=STABILITY_COLOURS[step])
         below = (8, bottom + self._band + 6)
         draw.multiline_text(below, self._caption.text, fill=MUTED, font=self._caption.face, spacing=2)
         return image
@@ -113,14 +114,9 @@ class FrameLayout:
         draw.line(((x, top), (x, bottom)), fill=ALARM, width=2)
         return image
 
-    def head(self, image: Image.Image, text: str, chip: str | None = None) -> None:
-        """Write a heading on a frame, after a chip of a colour where one is given."""
-        draw, middle = ImageDraw.Draw(image), 0.5 * self._header
-        side = 0.6 * self._header
-        start = 10.0
-        if chip is not None:
-            draw.rectangle((10, middle - side / 2, 10 + side, middle + side / 2), fill=chip, outline=INK)
-            start += side + 10.0
+    def head(self, image: Image.Image, text: str) -> None:
+        """Write a heading on a frame."""
+        draw, middle, start = ImageDraw.Draw(image), 0.5 * self._header, 10.0
         room = self._size[0] - 80 - start
         words, face = with_face(text, self._fonts[15].size)
         if face.getlength(words) > room:
@@ -128,15 +124,16 @@ class FrameLayout:
         lines = wrapped(words, face, room)
         draw.multiline_text((start, middle), lines, fill=INK, font=face, anchor="lm", spacing=2)
 
-    def legend(self, image: Image.Image, entries: dict[str, str]) -> None:
-        """Write names with their colours below the heading of a frame."""
+    def legend(self, image: Image.Image, rows: Iterable[Iterable[tuple[str, str]]]) -> None:
+        """Write rows of names with their colours below the heading of a frame."""
         draw, small = ImageDraw.Draw(image), self._fonts[11]
-        side, y = 0.8 * small.size, self._header + small.size
-        x = 10.0
-        for name, colour in entries.items():
-            words, face = with_face(name, small.size)
-            if x > 10.0 and x + side + 5 + face.getlength(words) > self._size[0] - 10:
-                x, y = 10.0, y + 1.5 * small.size
-            draw.rectangle((x, y - side / 2, x + side, y + side / 2), fill=colour, outline=INK)
-            draw.text((x + side + 5, y), words, fill=INK, font=face, anchor="lm")
-            x += side + 5 + face.getlength(words) + 14
+        side, y = 0.8 * small.size, self._header - 0.5 * small.size
+        for row in rows:
+            x, y = 10.0, y + 1.5 * small.size
+            for name, colour in row:
+                words, face = with_face(name, small.size)
+                if x > 10.0 and x + side + 5 + face.getlength(words) > self._size[0] - 10:
+                    x, y = 10.0, y + 1.5 * small.size
+                draw.rectangle((x, y - side / 2, x + side, y + side / 2), fill=colour, outline=INK)
+                draw.text((x + side + 5, y), words, fill=INK, font=face, anchor="lm")
+                x += side + 5 + face.getlength(words) + 14

@@ -13,7 +13,7 @@ import { drawRows, most, picked } from "./canvas/strip.js";
 const film = JSON.parse(document.getElementById("run").textContent);
 const scene = spaceScene(film),
   { looks, texts } = film,
-  { bodies, modes } = scene;
+  { bodies } = scene;
 const part = (id) => document.getElementById(id);
 const degrees = (angle) => (angle * 180) / Math.PI;
 const several = bodies.length > 1;
@@ -21,8 +21,7 @@ const camera = orbit(scene.points, scene.size);
 const solid = spacePainter(part("scene"), scene);
 const painter = solid ?? flatPainter(part("scene"), scene);
 part("flat").hidden = solid !== null;
-part("mode").hidden = !modes.length;
-part("turned").hidden = modes.length > 0; // in the plane nothing turns
+part("turned").hidden = scene.from === "side"; // in the plane nothing turns
 let chosen = 0;
 
 const peaks = {
@@ -30,7 +29,7 @@ const peaks = {
   tilts: bodies.map(({ tilts }) => tilts.reduce((peak, value) => Math.max(peak, Math.abs(value)), 0)),
 };
 const AXES = { x: "record", y: "calm", z: "pad" };
-const BAND = modes.length ? 8 : 0; // height of the modes' colours
+const BAND = 8; // height of the colours of how firmly the piece stands
 
 function drawStrip(now) {
   const { tilts, name } = bodies[chosen];
@@ -54,10 +53,11 @@ function drawStrip(now) {
     },
   ];
   const { start, end } = scene;
-  const { pen, along, height } = drawRows(part("strip"), rows, { start, end, now, below: BAND && BAND + 4 });
-  modes.forEach(([from, mode], i) => {
-    const until = modes[i + 1]?.[0] ?? end;
-    pen.fillStyle = looks[mode].colour;
+  const { pen, along, height } = drawRows(part("strip"), rows, { start, end, now, below: BAND + 4 });
+  const { stability: steps } = bodies[chosen];
+  steps.forEach(([from, step], i) => {
+    const until = steps[i + 1]?.[0] ?? end;
+    pen.fillStyle = ink[step];
     pen.fillRect(along(from), height - BAND, along(until) - along(from), BAND);
   });
 }
@@ -73,30 +73,38 @@ function draw(now) {
   part("tilt").textContent = `${digits(degrees(tilt), 1)}°`;
   part("slide").textContent = `${digits(100 * slide, 1)} cm`;
   part("yaw").textContent = `${digits(degrees(yaw), 1)}°`;
-  if (modes.length) {
-    const { colour, label } = looks[scene.mode(now)];
-    part("mode-chip").style.background = colour;
-    part("mode-name").textContent = label;
-  }
+  part("stands").textContent = looks[bodies[chosen].stands(now)];
+  bodies.forEach(({ stands }, b) => (chips[b].style.background = `var(--${stands(now)})`));
 }
 
 const bar = playBar(film, scene, draw),
   { clock } = bar;
 const turned = beforeNextFrame(() => drawPicture(clock.now));
 
-bodies.forEach(({ name, colour }, b) => {
+/** A span that shows a colour of the style sheet, or is yet to show it. */
+function chipOf(ink = null) {
+  const chip = document.createElement("span");
+  chip.className = "chip";
+  if (ink) chip.style.background = `var(--${ink})`;
+  return chip;
+}
+for (const [step, name] of Object.entries(looks)) {
+  const entry = document.createElement("span");
+  entry.append(chipOf(step), ` ${name}`);
+  part("scale").append(entry);
+}
+const chips = bodies.map(({ name }, b) => {
   const label = document.createElement("label"),
     choice = document.createElement("input"),
-    chip = document.createElement("span");
+    chip = chipOf();
   Object.assign(choice, { type: "radio", name: "body", value: b, checked: b === chosen });
   choice.onchange = () => {
     chosen = b;
     draw(clock.now);
   };
-  chip.className = "chip";
-  chip.style.background = colour;
   label.append(choice, chip, name);
   part("bodies").append(label);
+  return chip;
 });
 
 /** Goes to a view, along an arc unless the reader wants less motion. */

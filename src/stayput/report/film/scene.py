@@ -16,9 +16,9 @@ import numpy as np
 from stayput.measures.pole import TensionPole
 from stayput.mechanics.space.touching import ROOM
 from stayput.report.film.shape import SolidShape, StillShape, rounded, shape_of, still_of
-from stayput.report.history import spans
-from stayput.report.palette import BODY_COLOURS
+from stayput.report.palette import LINE_COLOURS
 from stayput.simulation.space_records import matrices
+from stayput.simulation.stability import Stability, over_time
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -102,6 +102,8 @@ class FilmScene:
         The outermost points of the bodies over time and of what holds them, which the picture shows [m].
     still : tuple of StillShape
         Places of people, doors and windows.
+    stability : tuple of tuple
+        Of each body the times from which on it stands how firmly [s], the first being the start.
     """
 
     run: Run
@@ -114,7 +116,8 @@ class FilmScene:
     shift_scale: float
     ties: tuple[DrawnTie, ...]
     points: NDArray[np.float64]
-    still: tuple[StillShape, ...] = ()
+    still: tuple[StillShape, ...]
+    stability: tuple[tuple[tuple[float, Stability], ...], ...]
 
     @property
     def start(self) -> float:
@@ -167,6 +170,11 @@ class FilmScene:
         places, attitudes = _between(self.time, self.place, self.attitude, np.array([time]))
         return places[:, 0], matrices(attitudes[:, 0])
 
+    def stability_at(self, body: int, time: float) -> Stability:
+        """Return how firmly a body stands at a time [s]."""
+        steps = self.stability[body]
+        return next((step for start, step in reversed(steps) if start <= time), steps[0][1])
+
     def shift_at(self, time: float) -> NDArray[np.float64]:
         """Return the displacement of the floor in the picture at a time [s], shape (3,) [m]."""
         return np.array([float(np.interp(time, self.time, self.shift[:, axis])) for axis in range(3)])
@@ -182,10 +190,10 @@ class FilmScene:
             ``poses``: ``start_s``, ``end_s``, ``count``. ``floor``: ``shift_m`` (at the poses), ``dt_s`` and
             ``acceleration_m_s2`` by components (at the motion's samples). ``planes``: walls and ceiling.
             ``view``: ``from`` (see `FilmScene.view`), ``low_m``, ``high_m``, ``grid_m``, ``points_m``.
-            ``bodies``: ``name``, ``colour``, ``shape`` (see `SolidShape.data`), ``centre_of_gravity_m``,
-            ``footprint_m`` (where it first stood on the floor), and at the poses ``place_m``, ``attitude``,
-            ``tilt_rad``, ``slide_m``, ``yaw_rad``; tilt and slide have signs in the plane.
-            ``modes``: pairs of the time from which the body moves in a mode, and the mode; none in space.
+            ``bodies``: ``name``, ``line`` (colour of its lines), ``shape`` (see `SolidShape.data`),
+            ``centre_of_gravity_m``, ``footprint_m`` (where it first stood on the floor), ``stability`` (see
+            `FilmScene.stability`), and at the poses ``place_m``, ``attitude``, ``tilt_rad``, ``slide_m``,
+            ``yaw_rad``; tilt and slide have signs in the plane.
             ``still``: see `StillShape.data`.
             ``ties``: ``body``, ``point_m``, ``other``, ``anchor_m``, ``lost_s`` or None; see `DrawnTie`.
         """
@@ -212,10 +220,11 @@ class FilmScene:
             "bodies": [
                 {
                     "name": self.names[b],
-                    "colour": body_colour(b),
+                    "line": LINE_COLOURS[b % len(LINE_COLOURS)],
                     "shape": self.shapes[b].data(),
                     "centre_of_gravity_m": rounded(standing.solid.centre_of_gravity),
                     "footprint_m": [rounded(corner) for corner in self.footprint(b)],
+                    "stability": [(round(time, TIME_DIGITS), step) for time, step in self.stability[b]],
                     "place_m": packed(self.place[b]),
                     "attitude": packed(self.attitude[b]),
                     "tilt_rad": packed(self._at_poses(piece.tilt)),
@@ -224,7 +233,6 @@ class FilmScene:
                 }
                 for b, (standing, piece) in enumerate(zip(run.standing, run.pieces, strict=True))
             ],
-            "modes": [(round(start, TIME_DIGITS), mode.value) for start, _, mode in spans(run)],
             "still": [shape.data() for shape in self.still],
             "ties": [
                 {
@@ -262,11 +270,6 @@ class FilmScene:
         base = corners[shape.solid.faces[lowest]]
         on_floor = base[:, 2].max() < 0.02 * float(np.ptp(corners, axis=0).max())
         return base * [1.0, 1.0, 0.0] if on_floor else np.empty((0, 3))
-
-
-def body_colour(number: int) -> str:
-    """Return the colour of a body by its number; they repeat."""
-    return BODY_COLOURS[number % len(BODY_COLOURS)]
 
 
 _STEP = 2.0**-16
@@ -325,7 +328,17 @@ def scene_of(run: Run, names: tuple[str, ...], beside: Sequence[Run] = ()) -> Fi
     scale = min(1.0, SHIFT_SHOWN * size / largest) if largest > 0.0 else 1.0
     shift = np.column_stack([scale * np.interp(times, run.motion.time, along) for along in ground.T])
     shapes = tuple(shape_of(piece.solid) for piece in run.standing)
-    return FilmScene(run, names, shapes, times, place, attitude, shift, scale, _ties(run), points, still)
+    stability = tuple(_steps(run, body) for body in range(len(shapes)))
+    return FilmScene(
+        run, names, shapes, times, place, attitude, shift, scale, _ties(run), points, still, stability
+    )
+
+
+def _steps(run: Run, body: int) -> tuple[tuple[float, Stability], ...]:
+    """Return from which times on a body stands how firmly [s]."""
+    steps = over_time(run, body)
+    starts = [0, *(np.flatnonzero(steps[1:] != steps[:-1]) + 1).tolist()]
+    return tuple((float(run.time[start]), Stability(steps[start])) for start in starts)
 
 
 def _ties(run: Run) -> tuple[DrawnTie, ...]:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from string import ascii_lowercase
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from stayput.catalogue import say
+from stayput.catalogue.names import STABILITY
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.room.sheet import (
     FONT,
@@ -39,15 +41,16 @@ if TYPE_CHECKING:
     from stayput.fragility.probabilities import Probability
     from stayput.model.floor_plan import Door, FloorPlan
     from stayput.report.room.sheet import Box
+    from stayput.simulation.stability import Stability
     from stayput.verification.changes import Change
     from stayput.verification.verdict import Verdict
 
 
+ENDS = ("stood", "fell")
+"""How a piece ends on a spot, by the names of their shares."""
+
 STEPS = 10
 """Steps of the share of the runs in which a piece ends on a spot."""
-
-HUES = 7
-"""Colours of pieces; after them come stripes of the same colours."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,21 +61,22 @@ class DrawnPiece:
     ----------
     name : str
         What it is called.
-    look : int
-        Number of its colour.
     outline : ndarray, shape (n, 2)
         As it stands, counter-clockwise [m].
     heading : float
         Where its front faces [rad].
-    covers : ndarray, shape (nx, ny), optional
-        Share of the runs in which it ends on each cell of the floor.
+    stability : Stability, optional
+        How firmly it stands, where the plan shows what happens.
+    fell, stood : ndarray, shape (nx, ny), optional
+        Shares of the runs in which it ends on each cell of the floor having overturned, and without.
     """
 
     name: str
-    look: int
     outline: NDArray[np.float64]
     heading: float
-    covers: NDArray[np.float64] | None = None
+    stability: Stability | None = None
+    fell: NDArray[np.float64] | None = None
+    stood: NDArray[np.float64] | None = None
 
 
 class DrawnPlan(NamedTuple):
@@ -139,9 +143,10 @@ def plan_svg(
         add(place.name, name, place_svg(sheet, place, kind, title), box, place.name)
     called = [titles(piece.name, piece_name(piece.name)) for piece in pieces]
     content += [
-        titled(title, covers_svg(sheet, piece.covers, piece.look))
+        titled(title, covers_svg(sheet, covers, end))
+        for end in ENDS
         for piece, (_, title) in zip(pieces, called, strict=True)
-        if piece.covers is not None
+        if (covers := getattr(piece, end)) is not None
     ]
     for piece, (name, title) in zip(pieces, called, strict=True):
         box = sheet.box_of(piece.outline)
@@ -178,7 +183,7 @@ def _before(sheet: PlanSheet, door: Door) -> Box:
 
 def _piece_svg(sheet: PlanSheet, piece: DrawnPiece) -> str:
     """Return the outline of a piece, and a line along a side that faces to the front and is most of it."""
-    drawn = sheet.polygon(piece.outline, f"standing hue{piece.look % HUES}")
+    drawn = sheet.polygon(piece.outline, f"standing {piece.stability or 'unknown'}")
     x, y = math.cos(piece.heading), math.sin(piece.heading)
     across, inwards = float(np.ptp(piece.outline @ [-y, x])), 2.0 / sheet.scale * np.array([x, y])
     for start, end in zip(piece.outline, np.roll(piece.outline, -1, axis=0), strict=True):
@@ -189,17 +194,11 @@ def _piece_svg(sheet: PlanSheet, piece: DrawnPiece) -> str:
     return drawn
 
 
-def covers_svg(sheet: PlanSheet, covers: NDArray[np.float64], look: int) -> str:
-    """Return the cells on which a piece comes to lie, darker where it does so more often.
-
-    From the eighth piece on colours come back, in stripes of cells: along x, then along y.
-    """
+def covers_svg(sheet: PlanSheet, covers: NDArray[np.float64], end: str) -> str:
+    """Return the cells on which a piece comes to one of `ENDS`, darker where it does so more often."""
     steps = np.ceil(STEPS * covers - 1e-9).astype(np.intp)
-    if look >= HUES:
-        across = look // HUES % 2
-        steps = steps * (np.indices(steps.shape)[across] % 3 > 0)
     return "".join(
-        svg.element("path", d=_cells(sheet, steps == step), class_=f"cover hue{look % HUES} step{step}")
+        svg.element("path", d=_cells(sheet, steps == step), class_=f"cover {end} step{step}")
         for step in range(1, STEPS + 1)
         if (steps == step).any()
     )
@@ -237,13 +236,14 @@ def _moved_svg(sheet: PlanSheet, before: NDArray[np.float64], after: NDArray[np.
     return "".join(parts)
 
 
-def swatch_svg(look: int) -> str:
-    """Return the steps of a piece's colour, for a legend."""
-    boxes = (
-        svg.box(8.0 * step - 8.0, 0.0, 8.0 * step, 12.0, f"cover hue{look % HUES} step{step}")
-        for step in range(1, STEPS + 1)
+def _swatch_svg(*looks: str) -> str:
+    """Return boxes of looks beside each other, for a legend."""
+    wide = 80 if looks[1:] else 12
+    ends = np.linspace(0.0, wide, len(looks) + 1).tolist()
+    boxes = "".join(
+        svg.box(x0, 0.0, x1, 12.0, look) for look, (x0, x1) in zip(looks, pairwise(ends), strict=True)
     )
-    return svg.element("svg", "".join(boxes), viewBox="0 0 80 12", class_="steps", aria_hidden="true")
+    return svg.element("svg", boxes, viewBox=f"0 0 {wide} 12", width=wide, height=12, aria_hidden="true")
 
 
 def room_plan(verdict: Verdict, language: str) -> str:
@@ -263,10 +263,16 @@ def room_plan(verdict: Verdict, language: str) -> str:
     return plan_svg(_plan(verdict), _pieces(verdict), kinds, language, notes=notes).svg
 
 
-def legend(verdict: Verdict, language: str) -> list[tuple[str, str]]:
-    """Return the colour and the name of each piece."""
-    called = [say(piece_name(name), language) for name in verdict.scenario.names]
-    return [(swatch_svg(look), name) for look, name in enumerate(called)]
+def legend(language: str) -> list[tuple[str, str]]:
+    """Return what the colours of pieces and of cells mean."""
+    steps = range(1, STEPS + 1)
+    return [
+        *((_swatch_svg(f"shown {step}"), say(name, language)) for step, name in STABILITY.items()),
+        *(
+            (_swatch_svg(*(f"cover {end} step{step}" for step in steps)), say(f"room_report.{end}", language))
+            for end in ENDS
+        ),
+    ]
 
 
 def change_plan(verdict: Verdict, language: str) -> tuple[str, str] | None:
@@ -300,7 +306,7 @@ def numbered_plan(
     letters : float
         Size of the letters of names [px].
     """
-    pieces = [replace(piece, covers=None) for piece in _pieces(verdict)]
+    pieces = [replace(piece, stability=None, fell=None, stood=None) for piece in _pieces(verdict)]
     plan, names = _plan(verdict), verdict.scenario.names
     moved: list[tuple[NDArray[np.float64], NDArray[np.float64]]] = []
     for change in moves:
@@ -326,10 +332,17 @@ def numbered_plan(
 
 def _pieces(verdict: Verdict) -> list[DrawnPiece]:
     """Return the pieces in the order of the file, in which what stands on another comes after it."""
-    each = zip(verdict.without.pieces, verdict.scenario.scene(verdict.without.option).pieces, strict=True)
+    standing, pieces = verdict.scenario.scene(verdict.without.option).pieces, verdict.without.pieces
     return [
-        DrawnPiece(result.name, look, result.zones.outline, piece.heading, result.zones.covers)
-        for look, (result, piece) in enumerate(each)
+        DrawnPiece(
+            result.name,
+            result.zones.outline,
+            piece.heading,
+            result.stability,
+            result.zones.fell,
+            result.zones.stood,
+        )
+        for result, piece in zip(pieces, standing, strict=True)
         if result.zones is not None
     ]
 

@@ -16,6 +16,7 @@ from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import assumptions
 from stayput.report.verdict.html import shared_content
 from stayput.report.verdict.markdown import plain, table
+from stayput.simulation.stability import FALLS_FROM, MAY_FALL_FROM
 from stayput.verification.events import PASSAGE
 from stayput.verification.people import DAY_HOURS
 from stayput.verification.room_words import (
@@ -180,9 +181,11 @@ def room_html(verdict: Verdict, language: str = "en") -> str:
         "others": others,
         "simulations": simulations_of_room(verdict, language),
         "plan": Markup(room_plan(verdict, language)),
-        "legend": [(Markup(swatch), name) for swatch, name in legend(verdict, language)],
+        "legend": [(Markup(swatch), name) for swatch, name in legend(language)],
         "hours": {"day": DAY_HOURS, "night": 24.0 - DAY_HOURS},
         "passage": PASSAGE,
+        "falls_from": 100.0 * FALLS_FROM,
+        "may_fall_from": 100.0 * MAY_FALL_FROM,
         "ways_out": any(door.door.way_out for door in people.doors),
         "places": [
             {

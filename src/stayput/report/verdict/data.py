@@ -231,6 +231,7 @@ def _piece(piece: PieceVerdict, counts: bool) -> dict[str, Any]:
         "harm_J": number(piece.harm),
         "peak_slide_m": quantiles_data(piece.slide),
         "peak_tilt_rad": quantiles_data(piece.tilt),
+        "stability": piece.stability,
     }
 
 

@@ -13,10 +13,11 @@ from stayput.report.verdict import svg
 from stayput.report.verdict.numbers import word
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
 
-    from stayput.measures import Held, Measure
+    from stayput.measures import Held
     from stayput.verification import Verdict
+    from stayput.verification.verdict import OptionVerdict
 
 HIGH = 250.0
 """Height of a drawing without its margins [px]."""
@@ -72,27 +73,28 @@ def sheet_of(held: Held) -> Sheet:
     return Sheet(left, right, top, HIGH / top)
 
 
-def drawing_svg(verdict: Verdict, measures: Sequence[Measure], language: str, label: str) -> str:
-    """Return a drawing of the piece with measures in place.
+def drawing_svg(verdict: Verdict, result: OptionVerdict, language: str, label: str) -> str:
+    """Return a drawing of the piece with measures in place, in the colour of how firmly it then stands.
 
     Parameters
     ----------
     verdict : Verdict
         Whose scenario is drawn, as it is stated.
-    measures : sequence of Measure
-        The measures.
+    result : OptionVerdict
+        The result with the measures.
     language : str
         "en" or "ja".
     label : str
         What the measures are called.
     """
     scenario = verdict.scenario
-    held = hold(scenario.piece.body(), scenario.room.room(), measures)
+    held = hold(scenario.piece.body(), scenario.room.room(), result.option.measures)
     sheet, piece = sheet_of(held), named(scenario.piece.title, language)
     width, height = (f"{100.0 * size:.3g}" for size in (held.body.width, held.body.height))
     name = word("drawing_alt", language, piece=piece, width=width, height=height, label=label)
     parts = [*_room(held, sheet), *piece_svg(held, sheet.place), *_centre(held, sheet), *_sizes(held, sheet)]
-    return svg.drawing(sheet.width, sheet.height, parts, name, "plan")
+    look = f"--piece: var(--{result.pieces[0].stability})"
+    return svg.drawing(sheet.width, sheet.height, parts, name, "plan", style=look)
 
 
 def _room(held: Held, sheet: Sheet) -> list[str]:

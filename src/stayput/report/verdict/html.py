@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from markupsafe import Markup
 
 from stayput.catalogue import say
+from stayput.catalogue.names import STABILITY
 from stayput.measures import parameters
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.page import framed, rendered, write_page
@@ -150,7 +151,8 @@ def _drawn(verdict: Verdict, result: OptionVerdict, language: str) -> dict[str, 
     label, alone = title(result.option, verdict, language), verdict.scenario.alone
     return {
         "label": label,
-        "drawing": Markup(drawing_svg(verdict, result.option.measures, language, label)) if alone else "",
+        "drawing": Markup(drawing_svg(verdict, result, language, label)) if alone else "",
+        "stands": say(STABILITY[result.pieces[0].stability], language) if alone else "",
         "share": numbers.probability(result.probabilities[OVERTURNED], language),
         "interval": numbers.interval(result.probabilities[OVERTURNED], language),
         "grade": verdict.grade(result).value if alone else "",
