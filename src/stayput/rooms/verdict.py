@@ -318,6 +318,12 @@ class RoomVerdict(InJson):
         """The best single change, or None where none makes anything better."""
         return next((change for change in self.changes if change.helps), None)
 
+    @property
+    def shut_at_rest(self) -> bool:
+        """Whether every way out is blocked as the furniture stands."""
+        ways = [door.at_rest for door in self.doors if door.door.way_out]
+        return bool(ways) and all(ways)
+
     def piece_changed(self, change: ChangeVerdict) -> tuple[Probability, Difference] | None:
         """Return how often the piece of a change overturns with it, and the difference; None of a place."""
         names = self.scenario.names

@@ -121,7 +121,7 @@ def _clauses(verdict: RoomVerdict) -> Iterator[Phrase]:
         elif door.blocked.estimate >= TOLD:
             yield happens("rooms.blocked", door.blocked, door=name)
     shut = max(verdict.places, key=lambda place: place.shut_in.estimate, default=None)
-    if shut is not None and all(door.at_rest for door in verdict.doors if door.door.way_out):
+    if shut is not None and verdict.shut_at_rest:
         yield phrase("rooms.shut_in_already")
     elif shut is not None and shut.shut_in.estimate >= TOLD:
         yield happens("rooms.shut_in", shut.shut_in, place=_where_somebody_is(shut.place))

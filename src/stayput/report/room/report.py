@@ -80,7 +80,13 @@ def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
         for door in verdict.doors
     ]
     shut_in = verdict.places if any(door.door.way_out for door in verdict.doors) else ()
-    ways += [(phrase("rooms.place_shut_in", place=place_name(p.place)), chance(p.shut_in)) for p in shut_in]
+    ways += [
+        (
+            phrase("rooms.place_shut_in", place=place_name(p.place)),
+            already if verdict.shut_at_rest else chance(p.shut_in),
+        )
+        for p in shut_in
+    ]
     changes = [
         (
             change_label(change.change, verdict, language),
