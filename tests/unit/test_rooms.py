@@ -421,7 +421,8 @@ def test_a_door_that_is_blocked_before_any_shaking_is_told_so(stuck):
     ) == stuck
     assert ("so there is no way out before any shaking" in told.sentence()) == stuck
     assert ("stays blocked" in told.sentence()) != stuck
-    assert ("blocked already" in room_markdown(told)) == stuck
+    assert ("| no way out: bed | blocked already |" in room_markdown(told)) == stuck
+    assert "before any shaking" not in replace(told, doors=()).sentence()
 
 
 def test_a_verdict_of_an_earthquake_counts_the_scatter_of_its_strength():

@@ -176,7 +176,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "as_installed": (
         (
-            "as people install it, {usual} overturn, not {well}: {share} % of such devices are badly installed "
+            "as people install it, {usual} overturn (well installed: {well}): {share} % of such devices are badly installed "
             "({how})"
         ),
         "実際の取付けでは転倒{usual}（正しく取り付けた場合{well}。{share}%が取付け不良：{how}）",

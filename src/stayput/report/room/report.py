@@ -93,7 +93,13 @@ def tables(verdict: Verdict, options: Sequence[OptionVerdict], language: str) ->
         for door in people.doors
     ]
     shut_in = people.places if any(door.door.way_out for door in people.doors) else ()
-    ways += [(phrase("rooms.place_shut_in", place=place_name(p.place)), chance(p.shut_in)) for p in shut_in]
+    ways += [
+        (
+            phrase("rooms.place_shut_in", place=place_name(p.place)),
+            already if p.shut_in_at_rest else chance(p.shut_in),
+        )
+        for p in shut_in
+    ]
     changes = [
         (
             verdict.label(option, language),
