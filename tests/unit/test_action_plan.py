@@ -8,6 +8,7 @@ import json
 import math
 import re
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,15 +20,26 @@ import stayput as sp
 from stayput.catalogue import LANGUAGES, phrase, say
 from stayput.cli import app
 from stayput.measures import MEASURES, Belt, GelMats, LBracket, TensionPole, WedgeStopper
+from stayput.measures.fixing import STUD_PITCH
 from stayput.measures.measure import Grade
+from stayput.measures.wall import most_on_studs
 from stayput.report.room.card import plan_html
 from stayput.report.room.elevation import ELEVATION_SCALES, SIZES, elevation_scale, size_on_paper, sizes_of
+from stayput.rooms.changes import held_part, measures_for
 from stayput.rooms.planning import purchases_of
-from stayput.rooms.runs import DeviceForces
-from stayput.rooms.step_words import changes_nothing, checks, too_weak, what_it_brings, with_ends
+from stayput.rooms.runs import DeviceForces, RoomPart
+from stayput.rooms.step_words import (
+    changes_nothing,
+    checks,
+    not_strong_enough,
+    what_it_brings,
+    where,
+    with_ends,
+)
 from stayput.rooms.steps import COST_CLASSES, MARGIN, QUANTILE, SETS, Home, Purchase, quantile_of, unbreakable
 from stayput.rooms.verify import question_of
 from stayput.rooms.words import piece_name
+from stayput.simulation.placing import placed
 from stayput.uncertainty import USUAL
 from stayput.verification.options import inputs_in_room
 from stayput.verification.words import class_phrase, share_text
@@ -130,6 +142,7 @@ def test_brackets_come_in_the_number_that_their_screws_need(plan: sp.ActionPlan)
     (bracket,) = fix.purchases
     assert bracket.measure.kind == "l_bracket"
     assert bracket.enough or bracket.count == 3  # one on each stud behind 0.8 m at 303 mm
+    assert bracket.needed is not None
     assert bracket.needed.pull > 200.0
     assert fix.overturns.estimate < 0.1
 
@@ -322,7 +335,7 @@ def test_what_is_too_weak_says_so_first_and_up_to_which_shaking_it_holds(
     assert weak
     for fix in weak:
         assert fix.enough_to is None or 3.5 < fix.enough_to < rented.verdict.intensity
-        said = too_weak(fix, rented)
+        said = not_strong_enough(fix, rented)
         assert said is not None
         for language, text in zip(LANGUAGES, said[0], strict=True):
             page = plan_html(rented, language).replace("\xa0", " ")
@@ -330,7 +343,94 @@ def test_what_is_too_weak_says_so_first_and_up_to_which_shaking_it_holds(
         if fix.enough_to is not None:
             assert class_phrase(fix.enough_to)[0] in said[1][0]
     strong = [fix for fix in fixes(plan) if fix.enough]
-    assert all(too_weak(fix, plan) is None and fix.enough_to is None for fix in strong)
+    assert all(not_strong_enough(fix, plan) is None and fix.enough_to is None for fix in strong)
+
+
+@pytest.mark.parametrize(
+    ("gives_way", "overturns", "key"),
+    [(0.0, 0.0, "no_reserve"), (0.5, 0.0, "no_reserve"), (0.0, 0.5, "no_reserve"), (0.5, 0.5, "weak")],
+)
+def test_what_works_in_the_runs_has_no_reserve_and_is_not_too_weak(
+    weaker_shaking: sp.ActionPlan, gives_way: float, overturns: float, key: str
+):
+    """Brackets with which the piece falls in 0 % of the runs are not said to be not strong enough."""
+    plan = weaker_shaking
+    weak = next(fix for fix in fixes(plan) if not fix.enough)
+    chance, (step, *_) = weak.overturns, [one for one in plan.steps if one.fix]
+    fix = replace(
+        weak,
+        gives_way=replace(chance, estimate=gives_way),
+        overturns=replace(chance, estimate=overturns),
+    )
+    said = not_strong_enough(fix, plan)
+    values = {"fails": share_text(gives_way), "share": share_text(overturns)}
+    assert said is not None
+    assert said[0] == phrase(f"action_plan.{key}", strength=class_phrase(plan.verdict.intensity), **values)
+    page = plan_html(replace(plan, steps=(replace(step, fix=fix, instead=None),), unsolved=()))
+    dead_end = say("action_plan.not_enough", "en", pieces=piece_name(step.what))
+    assert (dead_end in page) == (key == "weak")
+
+
+def test_each_set_that_was_tried_and_not_taken_has_a_reason(plan: sp.ActionPlan):
+    for step in plan.steps:
+        shown = {fix.kinds for fix in (step.fix, step.instead) if fix is not None}
+        if shown:
+            assert shown | set(plan.not_taken[step.what]) == set(SETS)
+            assert not shown & set(plan.not_taken[step.what])
+    page = html.unescape(plan_html(plan)).replace("\xa0", " ")
+    reasons = plan.not_taken["bookcase"]
+    assert all(why[0] in page for why in reasons.values())
+    told = json.loads(plan.to_json())["not_taken"]["bookcase"]
+    assert [tuple(one["types"]) for one in told] == [*reasons]
+
+
+def test_what_cannot_be_mounted_is_not_offered_and_the_reason_is_said():
+    scenario = room(
+        furniture=ROOM["furniture"][:1],
+        room={"floor": "tatami", "ceiling": {"height": 2.4, "construction": "dropped"}},
+        windows=[{"wall": "left_wall", "start": 1.5, "width": 1.0}],
+    )
+    plan = planned(scenario)
+    assert not plan.steps or plan.steps[0].fix is None
+    reasons = {kinds: why[0] for kinds, why in plan.not_taken["bookcase"].items()}
+    assert set(reasons) == set(SETS)
+    assert "do not stick to carpet or tatami" in reasons[("gel_mats",)]
+    assert "sinks into a soft floor" in reasons[("wedge_stopper", "tension_pole")]
+    assert "dropped ceiling lifts" in reasons[("tension_pole",)]
+    assert "door or a window" in reasons[("l_bracket",)]
+    rented = planned(alone(), no_drilling=True).not_taken["bookcase"]
+    assert rented[("belt",)] == phrase("action_plan.drills")
+
+
+@pytest.mark.parametrize(
+    ("length", "count", "told"),
+    [(0.8, 2, "where these stand every 455 mm"), (0.8, 3, "every 303 mm"), (0.3, 1, "too narrow for two")],
+)
+def test_devices_on_the_wall_stand_where_studs_can_be(length: float, count: int, told: str):
+    """In the runs as in the words: a multiple of 303 or 455 mm apart, not 0.27 m."""
+    piece = {"name": "shelf", "preset": "bookcase", "length": length, "against": "left_wall", "along": 1.9}
+    shelf = room(furniture=[piece])
+    question = question_of(shelf, 1)
+    tried = dict.fromkeys(measures_for(("l_bracket", "belt"), question.whole, 0))
+    assert {getattr(measure, "count") for measure in tried} == {min(2, most_on_studs(length))}  # noqa: B009
+    for measure in (LBracket(count=count), Belt(count=count)):
+        part = held_part(shelf, question.whole, 0, [measure])
+        held = placed(part.scene)[0].held
+        assert held is not None
+        places = [element.across for element in held.elements]
+        assert len(places) == count
+        assert sum(places) == pytest.approx(0.0)
+        for apart in np.diff(places):
+            assert min(abs(math.remainder(apart, pitch)) for pitch in STUD_PITCH) < 1e-9
+        fix: Any = SimpleNamespace(part=part, place=0, piece=part.scene.pieces[0])
+        assert told in where(Purchase(measure), fix)[0]
+
+
+def test_more_devices_than_studs_are_said_to_need_a_strip():
+    shelf = room(furniture=[{**ROOM["furniture"][0], "measures": [{"type": "l_bracket", "count": 4}]}])
+    part = RoomPart.of(question_of(shelf, 1).whole, (0,))
+    fix: Any = SimpleNamespace(part=part, place=0, piece=part.scene.pieces[0])
+    assert "strip of wood" in where(Purchase(LBracket(count=4)), fix)[0]
 
 
 def test_what_is_too_weak_holds_in_the_class_that_is_named(weaker_shaking: sp.ActionPlan):

@@ -330,9 +330,9 @@ def test_free_floor_keeps_off_walls_doors_windows_pieces_and_people():
     [
         ({"windows": []}, {"l_bracket", "belt"}),
         ({"windows": [{"wall": "left_wall", "start": 1.6, "width": 0.8}]}, set()),
-        # the brackets are at 1.7 and 2.1 m: past the frame of one window, and above the other's sill
-        ({"windows": [{"wall": "left_wall", "start": 0.5, "width": 1.14}]}, {"l_bracket", "belt"}),
-        ({"windows": [{"wall": "left_wall", "start": 0.5, "width": 1.16}]}, set()),
+        # the brackets are at 1.6725 and 2.1275 m: past the frame of one window, and above the other's sill
+        ({"windows": [{"wall": "left_wall", "start": 0.5, "width": 1.12}]}, {"l_bracket", "belt"}),
+        ({"windows": [{"wall": "left_wall", "start": 0.5, "width": 1.13}]}, set()),
         ({"windows": [{"wall": "left_wall", "start": 1.6, "width": 0.8, "sill": 1.9}]}, {"l_bracket"}),
         ({"windows": [{"wall": "far_side_wall", "start": 0.0, "width": 3.0}]}, {"l_bracket", "belt"}),
         ({"furniture": piece(gap=0.3)}, set()),
@@ -405,7 +405,12 @@ def test_a_verdict_of_an_earthquake_counts_the_scatter_of_its_strength():
 
 def test_a_move_says_from_which_wall_it_is_measured(verdict: RoomVerdict):
     moves = {
-        "left_wall": ((0.15, 0.4), "its middle 0.40 m from the near wall", "手前の壁から中心まで0.40 m"),
+        # where it stands it is along the wall that it stands at already
+        "left_wall": (
+            (0.15, 0.4),
+            "move the bookcase along the left wall until its middle is 0.40 m from the near wall",
+            "「本棚」を左の壁に沿って、手前の壁から中心まで0.40 mの位置へ移動",
+        ),
         "far_side_wall": ((1.3, 2.55), "its middle 1.30 m from the left wall", "左の壁から中心まで1.30 m"),
     }
     for wall, (at, english, japanese) in moves.items():

@@ -7,6 +7,7 @@ stands to another wall faces another way, and runs anew.
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import TYPE_CHECKING
@@ -15,7 +16,7 @@ import numpy as np
 
 from stayput.errors import InputError
 from stayput.measures import MEASURES, Measure
-from stayput.measures.wall import REACH, WallDevice
+from stayput.measures.wall import REACH, WallDevice, most_on_studs
 from stayput.model.floor_plan import FACING, FloorPlan, PersonPlace, rectangle
 from stayput.rooms.runs import RoomPart, group_of, with_measures
 from stayput.rooms.tracks import Track, outline_of
@@ -162,54 +163,54 @@ def measures_tried(scenario: Scenario, whole: Scene, body: int) -> Iterator[tupl
         The piece; on one that is no furniture there are no measures.
     """
     for kind in TRIED:
-        measure = MEASURES[kind]()
-        part = held_part(scenario, whole, body, [measure])
-        if part is not None:
-            yield Change(scenario.names[body], measure), part
+        (measure,) = measures_for((kind,), whole, body)
+        with suppress(InputError):
+            yield Change(scenario.names[body], measure), held_part(scenario, whole, body, [measure])
 
 
-def held_part(scenario: Scenario, whole: Scene, body: int, measures: Sequence[Measure]) -> RoomPart | None:
-    """Return a piece with further measures, and what runs with it; None where they cannot be put there."""
-    group = group_of(scenario, body)
-    try:
-        part = RoomPart.of(with_measures(whole, body, measures), group)
-    except InputError:  # another measure at the same place
-        return None
-    return part if can_be_held(part, group.index(body)) else None
+def measures_for(kinds: Sequence[str], whole: Scene, body: int) -> tuple[Measure, ...]:
+    """Return measures as they are tried on a piece: on a wall with studs no more than one device on each."""
+    assert whole.plan is not None
+    on_studs = whole.plan.walls == "stud"
+    most = most_on_studs(whole.pieces[body].body.length or 0.0)
+    measures = (MEASURES[kind]() for kind in kinds)
+    return tuple(
+        replace(measure, count=min(measure.count, most))
+        if on_studs and isinstance(measure, WallDevice)
+        else measure
+        for measure in measures
+    )
 
 
-def can_be_held(part: RoomPart, place: int) -> bool:
-    """Return whether the measures of a part can be put in place, those of one of its pieces on a wall.
+def held_part(scenario: Scenario, whole: Scene, body: int, measures: Sequence[Measure]) -> RoomPart:
+    """Return a piece with further measures, and what runs with it.
 
     A device on a wall needs one within `REACH`, with no door or window where it is screwed on.
 
-    Parameters
-    ----------
-    part : RoomPart
-        The pieces, as they would be held.
-    place : int
-        Which of them.
+    Raises
+    ------
+    InputError
+        They cannot be put there.
     """
-    try:
-        all_placed = placed(part.scene)
-    except InputError:  # no wall behind, no ceiling known
-        return False
+    group = group_of(scenario, body)
+    part, place = RoomPart.of(with_measures(whole, body, measures), group), group.index(body)
+    all_placed = placed(part.scene)
     pieces, held = [body.piece for body in all_placed], all_placed[place].held
     assert held is not None
     if any(inside_each_other(*pair) > DEEPEST for pair in combinations(pieces, 2)):
-        return False  # a wedge leans it into what stands on it
+        raise InputError("rooms.leans_into", "measures")
     on_wall = {measure.kind for measure in held.measures if isinstance(measure, WallDevice)}
     if not on_wall:
-        return True
+        return part
     wall_behind = held.room.left_wall
     if wall_behind is None or wall_behind.gap > REACH:
-        return False
+        raise InputError("rooms.wall_too_far", "measures", most=REACH)
     member, plan = part.scene.pieces[place], part.scene.plan
     assert plan is not None
     wall = wall_faced(member.heading)
     axis = 1 if wall in ("left_wall", "right_wall") else 0
     across = (-math.sin(member.heading), math.cos(member.heading))[axis]
-    return not any(
+    if any(
         _in_an_opening(
             plan,
             wall,
@@ -218,7 +219,9 @@ def can_be_held(part: RoomPart, place: int) -> bool:
         )
         for element in held.elements
         if element.kind in on_wall
-    )
+    ):
+        raise InputError("rooms.at_an_opening", "measures")
+    return part
 
 
 def wall_faced(heading: float) -> str:

@@ -14,17 +14,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.errors import instance_of
-from stayput.measures import MEASURES, Measure
+from stayput.catalogue import phrase
+from stayput.errors import InputError, instance_of
 from stayput.measures.edges import WedgeStopper
 from stayput.measures.floor import SOFT
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class
 from stayput.progress import tally
-from stayput.rooms.changes import Change, held_part
+from stayput.rooms.changes import Change, held_part, measures_for
 from stayput.rooms.decisions import Decisions, decisions_of, elsewhere, moved_as_decided
 from stayput.rooms.effects import OtherTracks, effect_of, falling_pieces, harmful_pieces, moves_of, risk_of
 from stayput.rooms.events import Hits, hits_of
 from stayput.rooms.runs import PartRuns, RoomPart, group_of, with_measures
+from stayput.rooms.step_words import why_not
 from stayput.rooms.steps import (
     ALIKE,
     SETS,
@@ -50,10 +51,13 @@ from stayput.verification.options import inputs_in_room
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
+    from stayput.catalogue import Phrase
     from stayput.fragility.probabilities import Probability
+    from stayput.measures import Measure
     from stayput.model.floor_plan import FloorPlan, PersonPlace
     from stayput.rooms.effects import Move, RoomState
     from stayput.rooms.runs import Question
+    from stayput.rooms.steps import NotTaken
     from stayput.rooms.tracks import Track
     from stayput.simulation.scene import Scene
 
@@ -131,7 +135,7 @@ def action_plan(
         steps, unsolved = planner.steps()
     as_it_is = verdict_of(question, state, asked.slide_limit)
     now = replace(as_it_is, complete=True, runs=made.done, seconds=time.perf_counter() - began)
-    return ActionPlan(now, home, steps, unsolved, planner.drilled)
+    return ActionPlan(now, home, steps, unsolved, planner.drilled, planner.reasons())
 
 
 class _Planner:
@@ -156,6 +160,7 @@ class _Planner:
         self.harmful = struck | harmful_pieces(state)
         self.falling = falling_pieces(state.as_it_is)
         self.drilled: dict[str, Fix] = {}
+        self._not_taken: dict[str, dict[tuple[str, ...], Phrase]] = {}
         self._groups: dict[frozenset[str], OtherTracks] = {}
         self._known: dict[tuple[int, PersonPlace], tuple[Sequence[Track], Hits]] = {}
 
@@ -173,7 +178,20 @@ class _Planner:
                 chosen.append(fixing)
             elif names[body] not in moved or body in self.falling:
                 unsolved.append(names[body])
-        return tuple(self._in_order(chosen)), tuple(unsolved)
+        steps = tuple(self._in_order([*chosen]))
+        kept = {step.what for step in steps if step.fix is not None}
+        for fix, what in ((choice.step.fix, choice.step.what) for choice in chosen):
+            if fix is not None and what not in kept:
+                self._not_taken[what][fix.kinds] = phrase("action_plan.not_needed")
+        return steps, tuple(unsolved)
+
+    def reasons(self) -> dict[str, NotTaken]:
+        """Return why sets of measures were not taken on the pieces, in the order in which they are tried."""
+        return {
+            name: {kinds: why[kinds] for kinds in SETS if kinds in why}
+            for name, why in self._not_taken.items()
+            if why
+        }
 
     def _in_order(self, chosen: list[ChosenStep]) -> Iterable[PlanStep]:
         """Yield the steps that are needed, each time that which brings most with those before it.
@@ -293,7 +311,9 @@ class _Planner:
     def _fixing(self, body: int, whole: Scene) -> ChosenStep | None:
         """Return the best measures on a piece, which stands in ``whole`` as it is to stand."""
         decided = self.decisions.measures.get(body)
+        why = self._not_taken.setdefault(self.question.scenario.names[body], {})
         if decided is None:
+            why.update({kinds: phrase("action_plan.drills") for kinds in SETS if not self.home.allows(kinds)})
             tried = self._helpful(body, whole, [kinds for kinds in SETS if self.home.allows(kinds)])
         else:
             tried = [self._tried_as_decided(body, whole, decided)]
@@ -308,6 +328,8 @@ class _Planner:
         instead = None
         if fix.drilled and undrilled:
             instead = self._fitted(min(undrilled, key=merit), body, whole)[0]
+        shown = {way.kinds for way in (fix, instead) if way is not None}
+        why.update({trial.kinds: why_not(trial, best) for trial in tried if trial.kinds not in shown})
         scenario, was = self.question.scenario, self._overturned(body)
         deciding = inputs_in_room(tuple(purchase.measure for purchase in fix.purchases), scenario, body)
         what, alone, as_decided = scenario.names[body], fix.alone, decided is not None
@@ -325,17 +347,21 @@ class _Planner:
         """Run sets of measures on a piece, and return those that help and can be put on it in ``whole``."""
         as_it_is, group = self.state.as_it_is, group_of(self.question.scenario, body)
         here = OtherTracks({number: as_it_is.tracks[number] for number in group}, as_it_is.missing)
-        bare = self._own_risk(here)
-        return [
-            trial
-            for trial in self._tried(body, sets)
-            if (trial.piece_risk < bare or frees(trial.effect) or self._steadies(trial, body))
-            and self._held(body, trial.measures, whole) is not None
-        ]
+        bare, why = self._own_risk(here), self._not_taken[self.question.scenario.names[body]]
+        helpful: list[Trial] = []
+        for trial in self._tried(body, sets):
+            if not (trial.piece_risk < bare or frees(trial.effect) or self._steadies(trial, body)):
+                why[trial.kinds] = why_not(trial)
+            elif refused := self._refused(body, trial.measures, whole):
+                why[trial.kinds] = refused
+            else:
+                helpful.append(trial)
+        return helpful
 
     def _tried_as_decided(self, body: int, whole: Scene, measures: tuple[Measure, ...]) -> Trial:
         """Run the measures that have been decided on, where the piece stands or, if it must, is to stand."""
-        part = self._held(body, measures, self.question.whole) or self._with(body, measures, whole)
+        here = self.question.whole
+        part = self._with(body, measures, whole if self._refused(body, measures, here) else here)
         return self._as_tried(measures, part, self.question.run([part])[0], body)
 
     def _steadies(self, tried: Trial, body: int) -> bool:
@@ -346,14 +372,13 @@ class _Planner:
     def _tried(self, body: int, sets: Sequence[tuple[str, ...]]) -> list[Trial]:
         """Run sets of measures, those that can be put on a piece where it stands."""
         parts: list[tuple[tuple[Measure, ...], RoomPart]] = []
-        soft = self.question.scenario.room.room().floor.surface in SOFT
+        here, why = self.question.whole, self._not_taken[self.question.scenario.names[body]]
         for kinds in sets:
-            measures = tuple(MEASURES[kind]() for kind in kinds)
-            if soft and any(isinstance(measure, WedgeStopper) for measure in measures):  # it sinks in
-                continue
-            part = self._held(body, measures, self.question.whole)
-            if part is not None:
-                parts.append((measures, part))
+            measures = measures_for(kinds, here, body)
+            if refused := self._refused(body, measures, here):
+                why[kinds] = refused
+            else:
+                parts.append((measures, self._with(body, measures, here)))
         runs = self.question.run([part for _, part in parts])
         return [
             self._as_tried(measures, part, part_runs, body)
@@ -364,7 +389,7 @@ class _Planner:
         way = OtherTracks.of(part, runs)
         effect, piece_risk = self._effect(self.question.plan, way), self._own_risk(way)
         overturns = runs.of_body(part.bodies.index(body)).probability_of_overturning()
-        return Trial(measures, way, effect, piece_risk, overturns)
+        return Trial(measures, way, effect, piece_risk, overturns, runs.probability_of_failure())
 
     def _own_risk(self, way: OtherTracks) -> float:
         """Return the chance that a person is hit by some pieces, whatever others do."""
@@ -372,9 +397,18 @@ class _Planner:
         hits = [[self._hits(place, tracks).happened for tracks in way.tracks.values()] for place in places]
         return risk_of(np.any(hits, axis=1), places, missing) if places else 0.0
 
-    def _held(self, body: int, measures: tuple[Measure, ...], whole: Scene) -> RoomPart | None:
-        """Return the part of a piece with measures on it, or None where they cannot be put there."""
-        return held_part(self.question.scenario, whole, body, measures)
+    def _refused(self, body: int, measures: tuple[Measure, ...], whole: Scene) -> Phrase | None:
+        """Return why measures cannot be put on a piece; None where they can."""
+        soft = whole.room.floor.surface in SOFT
+        for measure in measures:
+            if soft and isinstance(measure, WedgeStopper):
+                return phrase("measures.wedge_sinks", measure=measure.label)
+        try:
+            held_part(self.question.scenario, whole, body, measures)
+        except InputError as error:
+            sentence = error.told("en").removesuffix("."), error.told("ja").removesuffix("。")
+            return phrase("action_plan.not_possible", why=sentence)
+        return None
 
     def _with(self, body: int, measures: tuple[Measure, ...], whole: Scene) -> RoomPart:
         """Return the part of a piece with measures on it, which have not been put in place."""
@@ -390,24 +424,27 @@ class _Planner:
         purchases = purchases_of(self.question, part, measures, body)
         piece = whole.pieces[body]
         fitted = tuple(in_number(purchase, piece.body.length or 0.0) for purchase in purchases)
-        more, here = self._held(body, fitted, whole), self._held(body, fitted, self.question.whole)
-        if fitted != measures and more is not None and here is not None:
-            measures, part = fitted, more
+        if fitted != measures and not any(
+            self._refused(body, fitted, scene) for scene in (whole, self.question.whole)
+        ):
+            measures, part = fitted, self._with(body, fitted, whole)
             purchases = purchases_of(self.question, part, measures, body)
+            here = self._with(body, fitted, self.question.whole)
             tried = self._as_tried(measures, here, self.question.run([here])[0], body)
         place = part.bodies.index(body)
-        there, overturns = tried.way, tried.overturns
+        there, overturns, gives_way = tried.way, tried.overturns, tried.gives_way
         if whole is not self.question.whole:
             runs = self.question.run([part])[0]
             there = OtherTracks.of(part, runs)
             overturns = runs.of_body(place).probability_of_overturning()
+            gives_way = runs.probability_of_failure()
         held = placed(part.scene)[place].held
         assert held is not None
         cautions = tuple(
             caution for measure in measures for caution in measure.cautions(held.body, held.room)
         )
         enough_to = self._enough_to(part, purchases, body)
-        fix = Fix(part, place, purchases, tried.effect, overturns, cautions, enough_to)
+        fix = Fix(part, place, purchases, tried.effect, overturns, gives_way, cautions, enough_to)
         return fix, tried.way, there
 
     def _enough_to(self, part: RoomPart, purchases: tuple[Purchase, ...], body: int) -> float | None:

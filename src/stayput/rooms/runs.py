@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.execution import Pool
+from stayput.fragility.probabilities import probability
 from stayput.measures.wall import WallDevice
 from stayput.mechanics.columns import FAILED_OUTCOME, H_TILT, H_X, H_Z, OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import HOLDS
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.fragility.probabilities import Probability
     from stayput.measures import Held, Measure
     from stayput.model.floor_plan import FloorPlan
     from stayput.montecarlo.hazard import FloorMotions
@@ -178,6 +180,10 @@ class PartRuns:
     def missing(self) -> NDArray[np.bool_]:
         """Which runs were given up, shape (motions, samples)."""
         return (self.results["outcome"] == FAILED_OUTCOME).any(axis=-1)
+
+    def probability_of_failure(self) -> Probability:
+        """Return how often a device or joint fails."""
+        return probability(self.device_failed, self.missing)
 
     def of_tracks(self, place: int) -> list[Track]:
         """Return the tracks of one of the pieces, by its place in the part."""
