@@ -19,8 +19,17 @@ from stayput.montecarlo.several import DrawOfSeveral, drawn_shaking
 from stayput.report.room.data import room_data
 from stayput.report.room.report import simulations_of_room
 from stayput.rooms import runs as room_runs
-from stayput.rooms.changes import Change, FreeFloor, measures_tried, other_places, overlap, places_at_walls
+from stayput.rooms.changes import (
+    Change,
+    FreeFloor,
+    measures_tried,
+    other_places,
+    overlap,
+    passages,
+    places_at_walls,
+)
 from stayput.rooms.runs import RoomPart, groups_of
+from stayput.rooms.tracks import outline_of
 from stayput.rooms.verify import question_of
 from stayput.rooms.words import (
     best_sentence,
@@ -323,6 +332,34 @@ def test_free_floor_keeps_off_walls_doors_windows_pieces_and_people():
     assert all(walls.values())
     before_the_door = np.array([[2.9, 1.25], [3.6, 1.25], [3.6, 1.95], [2.9, 1.95]])
     assert not any(overlap(place.corners, before_the_door) for place in other_places(plan.places[0], floor))
+
+
+def test_a_passage_stays_along_a_long_side_of_each_bed():
+    """The bed is 1 m by 2 m in a room of 3.6 m by 2.7 m, with a bookcase; a person needs 0.5 m."""
+    whole = changed(windows=[]).scene()
+    plan = whole.plan
+    assert plan is not None
+    (bed,) = plan.places
+    floor = FreeFloor(plan, whole.pieces)
+    taken = [outline_of(piece.solid.vertices @ piece.turn.T + np.asarray(piece.at)) for piece in whole.pieces]
+    strips = [[*passages(place.corners)] for place in other_places(bed, floor)]
+    assert len(strips) > 20
+    for along in strips:
+        assert all(np.ptp(strip, axis=0).round(9).tolist() in ([0.5, 2.0], [2.0, 0.5]) for strip in along)
+        assert any(
+            (strip > -1e-9).all()
+            and (strip < np.array([plan.width, plan.length]) + 1e-9).all()
+            and not any(overlap(strip, other) for other in taken)
+            for strip in along
+        )
+    # from 1.3 m to 2.3 m, with 0.4 m beyond
+    wide = FreeFloor(replace(plan, places=(replace(bed, at=(1.4, 1.8)),)), ())
+    beside = np.array([[1.0, 0.8], [1.4, 0.8], [1.4, 1.2], [1.0, 1.2]])
+    assert not wide.fits(beside, height=1.0)
+    assert wide.fits(beside - [0.0, 0.5], height=1.0)
+    # where there is none now, with 0.4 m on either side, none is taken away
+    narrow = FreeFloor(replace(plan, length=1.8, doors=(), places=(replace(bed, at=(1.4, 0.9)),)), ())
+    assert narrow.fits(beside - [0.0, 0.8], height=1.0)
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import combinations
 from typing import TYPE_CHECKING
 
@@ -18,6 +19,7 @@ from stayput.errors import InputError
 from stayput.measures import MEASURES, Measure
 from stayput.measures.wall import REACH, WallDevice, most_on_studs
 from stayput.model.floor_plan import FACING, FloorPlan, PersonPlace, rectangle
+from stayput.rooms.events import PASSAGE
 from stayput.rooms.runs import RoomPart, group_of, with_measures
 from stayput.rooms.tracks import Track, outline_of
 from stayput.simulation.convex import inside_each_other
@@ -26,7 +28,7 @@ from stayput.simulation.placing import placed
 from stayput.simulation.space_engine import DEEPEST
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterator, Mapping, Sequence
 
     from numpy.typing import NDArray
 
@@ -101,7 +103,7 @@ class FreeFloor:
         """Return whether something with a convex outline may be put there.
 
         It may not be in a wall, in a piece or a person's place, before a door, or before a window whose sill
-        it is higher than.
+        it is higher than; nor leave no passage along a long side of a bed, unless the bed has none now.
 
         Parameters
         ----------
@@ -117,8 +119,8 @@ class FreeFloor:
         if (corners < -1e-9).any() or (corners > np.array([self.plan.width, self.plan.length]) + 1e-9).any():
             return False
         others = (piece for number, piece in enumerate(self.pieces) if number != but_piece)
-        taken = [outline_of((piece.solid.vertices @ piece.turn.T) + np.asarray(piece.at)) for piece in others]
-        taken += [place.corners for place in self.plan.places if place.name != but_place]
+        solid = [_outline(piece) for piece in others]
+        taken = [*solid, *(place.corners for place in self.plan.places if place.name != but_place)]
         taken += [
             _before(self.plan, door.wall, door.start, door.width, door.width) for door in self.plan.doors
         ]
@@ -127,7 +129,50 @@ class FreeFloor:
             for window in self.plan.windows
             if height > window.sill
         ]
-        return not any(overlap(corners, other) for other in taken)
+        if any(overlap(corners, other) for other in taken):
+            return False
+        beds, needed = self._beds, self._with_passage_now
+        if but_place in beds:
+            beds, needed = {**beds, but_place: corners}, {*needed, but_place}
+        elif not but_place:
+            solid.append(corners)
+        return self._with_passage(beds, solid) >= needed
+
+    @cached_property
+    def _beds(self) -> dict[str, NDArray[np.float64]]:
+        """What people lie or sit on that takes the floor, by name."""
+        return {place.name: place.corners for place in self.plan.places if place.blocks}
+
+    @cached_property
+    def _with_passage_now(self) -> set[str]:
+        return self._with_passage(self._beds, [_outline(piece) for piece in self.pieces])
+
+    def _with_passage(
+        self, beds: Mapping[str, NDArray[np.float64]], solid: Sequence[NDArray[np.float64]]
+    ) -> set[str]:
+        """Return which of the beds have a free passage along one of their long sides."""
+        room = np.array([self.plan.width, self.plan.length])
+
+        def free(strip: NDArray[np.float64], but: str) -> bool:
+            others = [*solid, *(bed for name, bed in beds.items() if name != but)]
+            inside = (strip >= -1e-9).all() and (strip <= room + 1e-9).all()
+            return bool(inside) and not any(overlap(strip, other) for other in others)
+
+        return {name for name, bed in beds.items() if any(free(strip, name) for strip in passages(bed))}
+
+
+def _outline(piece: Piece) -> NDArray[np.float64]:
+    return outline_of((piece.solid.vertices @ piece.turn.T) + np.asarray(piece.at))
+
+
+def passages(bed: NDArray[np.float64]) -> Iterator[NDArray[np.float64]]:
+    """Yield the floor along the long sides of a bed that a person needs to get up and walk there [m]."""
+    sides = np.roll(bed, -1, axis=0) - bed
+    lengths = np.hypot(*sides.T)
+    for start, side, length in zip(bed, sides, lengths, strict=True):
+        if length >= lengths.max() - 1e-9:
+            out = PASSAGE / length * np.array([side[1], -side[0]])
+            yield np.array([start, start + out, start + out + side, start + side])
 
 
 def _before(plan: FloorPlan, wall: str, start: float, width: float, depth: float) -> NDArray[np.float64]:
