@@ -8,7 +8,6 @@ import json
 import math
 import re
 from dataclasses import replace
-from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,26 +19,21 @@ import stayput as sp
 from stayput.catalogue import LANGUAGES, phrase, say
 from stayput.cli import app
 from stayput.measures import MEASURES, Belt, GelMats, LBracket, TensionPole, WedgeStopper
-from stayput.measures.fixing import STUD_PITCH
 from stayput.measures.measure import Grade
-from stayput.measures.wall import most_on_studs
 from stayput.report.room.card import plan_html
 from stayput.report.room.elevation import ELEVATION_SCALES, SIZES, elevation_scale, size_on_paper, sizes_of
-from stayput.rooms.changes import held_part, measures_for
 from stayput.rooms.planning import purchases_of
-from stayput.rooms.runs import DeviceForces, RoomPart
+from stayput.rooms.runs import DeviceForces
 from stayput.rooms.step_words import (
     changes_nothing,
     checks,
     not_strong_enough,
     what_it_brings,
-    where,
     with_ends,
 )
-from stayput.rooms.steps import COST_CLASSES, MARGIN, QUANTILE, SETS, Home, Purchase, quantile_of, unbreakable
+from stayput.rooms.steps import COST_CLASSES, MARGIN, QUANTILE, SETS, Purchase, quantile_of, unbreakable
 from stayput.rooms.verify import question_of
 from stayput.rooms.words import piece_name
-from stayput.simulation.placing import placed
 from stayput.uncertainty import USUAL
 from stayput.verification.options import inputs_in_room
 from stayput.verification.words import class_phrase, share_text
@@ -107,17 +101,6 @@ def test_every_measure_that_is_tried_has_a_cost_class_and_says_whether_it_is_dri
     assert {kind for kinds in SETS for kind in kinds} == set(COST_CLASSES)
     drilled = {kind for kind, measure in MEASURES.items() if measure.drilled}
     assert drilled == {"l_bracket", "l_bracket_board", "belt", "chain"}
-
-
-def test_a_home_changes_floor_walls_and_ceiling():
-    around = Home(tatami=True, plasterboard=True, dropped_ceiling=True).of(room()).surroundings()
-    assert around.floor.surface == "tatami, along the weave"
-    assert around.left_wall is not None
-    assert around.left_wall.construction == "plasterboard"
-    assert around.ceiling == sp.Ceiling(2.4, construction="dropped")
-    assert Home(no_drilling=True).of(room()) == room()
-    on_tatami = room(room={"floor": "tatami, across the weave"})
-    assert Home(tatami=True).of(on_tatami).surroundings().floor.surface == "tatami, across the weave"
 
 
 def test_the_plan_hangs_together(plan: sp.ActionPlan):
@@ -369,68 +352,6 @@ def test_what_works_in_the_runs_has_no_reserve_and_is_not_too_weak(
     page = plan_html(replace(plan, steps=(replace(step, fix=fix, instead=None),), unsolved=()))
     dead_end = say("action_plan.not_enough", "en", pieces=piece_name(step.what))
     assert (dead_end in page) == (key == "weak")
-
-
-def test_each_set_that_was_tried_and_not_taken_has_a_reason(plan: sp.ActionPlan):
-    for step in plan.steps:
-        shown = {fix.kinds for fix in (step.fix, step.instead) if fix is not None}
-        if shown:
-            assert shown | set(plan.not_taken[step.what]) == set(SETS)
-            assert not shown & set(plan.not_taken[step.what])
-    page = html.unescape(plan_html(plan)).replace("\xa0", " ")
-    reasons = plan.not_taken["bookcase"]
-    assert all(why[0] in page for why in reasons.values())
-    told = json.loads(plan.to_json())["not_taken"]["bookcase"]
-    assert [tuple(one["types"]) for one in told] == [*reasons]
-
-
-def test_what_cannot_be_mounted_is_not_offered_and_the_reason_is_said():
-    scenario = room(
-        furniture=ROOM["furniture"][:1],
-        room={"floor": "tatami", "ceiling": {"height": 2.4, "construction": "dropped"}},
-        windows=[{"wall": "left_wall", "start": 1.5, "width": 1.0}],
-    )
-    plan = planned(scenario)
-    assert not plan.steps or plan.steps[0].fix is None
-    reasons = {kinds: why[0] for kinds, why in plan.not_taken["bookcase"].items()}
-    assert set(reasons) == set(SETS)
-    assert "do not stick to carpet or tatami" in reasons[("gel_mats",)]
-    assert "sinks into a soft floor" in reasons[("wedge_stopper", "tension_pole")]
-    assert "dropped ceiling lifts" in reasons[("tension_pole",)]
-    assert "door or a window" in reasons[("l_bracket",)]
-    rented = planned(alone(), no_drilling=True).not_taken["bookcase"]
-    assert rented[("belt",)] == phrase("action_plan.drills")
-
-
-@pytest.mark.parametrize(
-    ("length", "count", "told"),
-    [(0.8, 2, "where these stand every 455 mm"), (0.8, 3, "every 303 mm"), (0.3, 1, "too narrow for two")],
-)
-def test_devices_on_the_wall_stand_where_studs_can_be(length: float, count: int, told: str):
-    """In the runs as in the words: a multiple of 303 or 455 mm apart, not 0.27 m."""
-    piece = {"name": "shelf", "preset": "bookcase", "length": length, "against": "left_wall", "along": 1.9}
-    shelf = room(furniture=[piece])
-    question = question_of(shelf, 1)
-    tried = dict.fromkeys(measures_for(("l_bracket", "belt"), question.whole, 0))
-    assert {getattr(measure, "count") for measure in tried} == {min(2, most_on_studs(length))}  # noqa: B009
-    for measure in (LBracket(count=count), Belt(count=count)):
-        part = held_part(shelf, question.whole, 0, [measure])
-        held = placed(part.scene)[0].held
-        assert held is not None
-        places = [element.across for element in held.elements]
-        assert len(places) == count
-        assert sum(places) == pytest.approx(0.0)
-        for apart in np.diff(places):
-            assert min(abs(math.remainder(apart, pitch)) for pitch in STUD_PITCH) < 1e-9
-        fix: Any = SimpleNamespace(part=part, place=0, piece=part.scene.pieces[0])
-        assert told in where(Purchase(measure), fix)[0]
-
-
-def test_more_devices_than_studs_are_said_to_need_a_strip():
-    shelf = room(furniture=[{**ROOM["furniture"][0], "measures": [{"type": "l_bracket", "count": 4}]}])
-    part = RoomPart.of(question_of(shelf, 1).whole, (0,))
-    fix: Any = SimpleNamespace(part=part, place=0, piece=part.scene.pieces[0])
-    assert "strip of wood" in where(Purchase(LBracket(count=4)), fix)[0]
 
 
 def test_what_is_too_weak_holds_in_the_class_that_is_named(weaker_shaking: sp.ActionPlan):

@@ -87,24 +87,18 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # What is not strong enough
     "weak": (
-        (
-            "Too weak for JMA intensity {strength}: it gives way in {fails} of the runs, and the piece overturns "
-            "in {share}."
-        ),
+        "Too weak for JMA intensity {strength}: gives way in {fails} of the runs, the piece overturns in {share}.",
         "{strength}の揺れには弱すぎます（器具が壊れるか外れる計算は{fails}、家具が倒れる計算は{share}）。",
     ),
     "no_reserve": (
-        (
-            "No reserve for JMA intensity {strength}: it gives way in {fails} of the runs, and the piece overturns "
-            "in {share}."
-        ),
+        "No reserve for JMA intensity {strength}: gives way in {fails} of the runs, the piece overturns in {share}.",
         "{strength}の揺れに対して余裕がありません（器具が壊れるか外れる計算は{fails}、家具が倒れる計算は{share}）。",
     ),
     "weak_bears": (
-        "{measure}: with reserve each needs {needed}, holds about {holds} ({fails})",
-        "{measure}：余裕を含めて1個あたり{needed}必要なところ、約{holds}（{fails}）",
+        "{measure}: each needs {needed}, holds about {holds} ({fails})",
+        "{measure}：1個あたり{needed}必要なところ、約{holds}（{fails}）",
     ),
-    "weak_to": ("enough with reserve up to {strength}", "{strength}までなら余裕を含めて足ります"),
+    "weak_to": ("with reserve up to {strength}", "{strength}までなら余裕があります"),
     "not_enough": (
         "Not enough for {pieces}: what else you can do",
         "強さや効果が足りない家具（{pieces}）に、ほかにできること",
@@ -143,8 +137,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "壁の床から{height:.2f} mの高さ、{apart}{studs}",
     ),
     "on_studs": (
-        ", each on a stud, where these stand every {pitch:.0f} mm",
-        "、それぞれ下地のある所（下地の間隔が{pitch:.0f} mmの場合）",
+        ", on studs every {pitch:.0f} mm",
+        "、下地（間隔{pitch:.0f} mmの場合）の所",
     ),
     "on_one_stud": (
         ", on a stud: the piece is too narrow for two studs",

@@ -156,6 +156,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The decided changes move {name}, which stands on or is joined to another piece; it must stand by itself.",
         "{name}は、ほかの家具の上にあるか、つながれているので動かせません。単独の家具にしてください。",
     ),
+    "home_contradicts": (
+        "“{condition}” was asked for, but {name} is stated otherwise; one of the two must go.",
+        "条件「{condition}」が、{name}の指定と食い違います。どちらかを取り消してください。",
+    ),
     # Why a measure cannot be put on a piece
     "leans_into": (
         "It leans the piece into what stands on it.",

@@ -89,8 +89,9 @@ def action_plan(
     no_drilling : bool
         Whether nothing else may be screwed to a wall.
     tatami, plasterboard, dropped_ceiling : bool
-        What floor, walls and ceiling are, whatever the scenario says: tatami; plasterboard without studs that
-        can be used; a ceiling on wires, against which no pole may push. The room is verified anew with them.
+        What floor, walls and ceiling are, where the scenario does not say: tatami; plasterboard without studs
+        that can be used; a ceiling on wires, against which no pole may push. The room is verified anew with
+        them.
     threads : int, optional
         As many as there are cores by default. The bits do not depend on them.
     progress : bool, optional
@@ -102,7 +103,7 @@ def action_plan(
     ------
     InputError
         A decided change of something that is not in the room, or is moved twice; a move to where it cannot
-        stand; a measure that cannot be put in place.
+        stand; a measure that cannot be put in place. A scenario that says otherwise of the home.
 
     Examples
     --------

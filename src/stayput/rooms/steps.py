@@ -12,10 +12,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 
+from stayput.catalogue import phrase
+from stayput.errors import InputError
 from stayput.measures import MEASURES, GelMats, Measure, TensionPole
 from stayput.measures.wall import WallDevice, most_on_studs
 from stayput.rooms.runs import DeviceForces, PeakForces, RoomPart
 from stayput.rooms.verdict import FALLS
+from stayput.scenario.tables import floor_of
 from stayput.simulation.placing import placed
 from stayput.uncertainty import USUAL
 from stayput.verification.options import COMBINED
@@ -174,7 +177,7 @@ class Home:
     no_drilling : bool
         Whether nothing may be screwed to a wall.
     tatami : bool
-        Whether the floor is tatami, whatever the scenario says: gel does not stick there.
+        Whether the floor is tatami, to which gel does not stick.
     plasterboard : bool
         Whether the walls are plasterboard without studs that can be used.
     dropped_ceiling : bool
@@ -191,15 +194,29 @@ class Home:
         return not (self.no_drilling and any(MEASURES[kind].drilled for kind in kinds))
 
     def of(self, scenario: Scenario) -> Scenario:
-        """Return a room as it is in this home."""
-        room = scenario.room
+        """Return a room as it is in this home.
+
+        Raises
+        ------
+        InputError
+            The scenario states something else of its floor, walls or ceiling.
+        """
+        room, ceiling = scenario.room, scenario.room.ceiling
         changed: dict[str, Any] = {}
-        if self.tatami and not (isinstance(room.floor, str) and room.floor.startswith("tatami")):
-            changed["floor"] = TATAMI
-        if self.plasterboard:
-            changed["walls"] = "plasterboard"
-        if self.dropped_ceiling and room.ceiling is not None:
-            changed["ceiling"] = room.ceiling.model_copy(update={"construction": "dropped"})
+
+        def change(name: str, key: str, value: object, *, stated: bool) -> None:
+            if stated:
+                raise InputError("rooms.home_contradicts", key, condition=phrase(f"action_plan.{name}"))
+            changed[key.split(".")[1]] = value
+
+        if self.tatami and not floor_of(room.floor).surface.startswith("tatami"):
+            change("tatami", "room.floor", TATAMI, stated="floor" in room.model_fields_set)
+        if self.plasterboard and room.walls != "plasterboard":
+            change("plasterboard", "room.walls", "plasterboard", stated="walls" in room.model_fields_set)
+        if self.dropped_ceiling and ceiling is not None and ceiling.construction != "dropped":
+            dropped = ceiling.model_copy(update={"construction": "dropped"})
+            stated = "construction" in ceiling.model_fields_set
+            change("dropped_ceiling", "room.ceiling.construction", dropped, stated=stated)
         if not changed:
             return scenario
         return scenario.model_copy(update={"room": room.model_copy(update=changed)})
