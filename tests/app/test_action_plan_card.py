@@ -52,8 +52,11 @@ def test_the_plan_of_a_room_that_is_done(
     assert client.get(address, params={"lang": "ja"}).text == plan.to_html("ja")
     assert client.get(progress).json() == {"made": True, "runs": plan.verdict.runs}
     assert client.get(progress, params={"tatami": "true"}).json() == {"made": False, "runs": 0}
-    client.get(address, params={"lang": "ja", "no_drilling": "true", "tatami": "true"})
-    assert [(one["no_drilling"], one["tatami"]) for one in made] == [(False, False), (True, True)]
+    client.get(address, params={"lang": "ja", "no_drilling": "true"})
+    assert [one["no_drilling"] for one in made] == [False, True]
+    refused = client.get(address, params={"tatami": "true"})  # this room states its floor
+    assert refused.status_code == 422
+    assert "room.floor is stated otherwise" in refused.json()["message"]
     assert client.get(address, params={"tatami": "often"}).status_code == 422
     for path in ("plan", "plan/progress"):
         assert client.get(f"/api/v1/jobs/{'0' * 32}/{path}").status_code == 404

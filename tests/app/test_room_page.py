@@ -229,9 +229,21 @@ def test_the_filters_of_the_plan_start_from_the_room(it: Opened, judge: Judge) -
     floor = it.page.get_by_label("On what floor")
     after(it, judge, lambda: floor.select_option("tatami, along the weave"))
     assert tatami.is_checked()
-    tatami.uncheck()
-    after(it, judge, lambda: floor.select_option("tatami, across the weave"))
-    assert not tatami.is_checked()  # as was said by hand
+    assert after(it, judge, tatami.uncheck)["room"]["floor"] == floor.input_value() == "wood flooring"
+
+
+def test_what_is_ticked_of_the_home_is_set_in_the_rooms_runs(it: Opened, judge: Judge) -> None:
+    it.go("understand")
+    ticked = [
+        ("The floor is tatami", "floor", "tatami, along the weave", "wood flooring"),
+        ("plasterboard without studs", "walls", "plasterboard", "stud"),
+    ]
+    for label, key, on, off in ticked:
+        box = it.page.get_by_label(label)
+        assert after(it, judge, box.check)["room"][key] == on
+        assert after(it, judge, box.uncheck)["room"][key] == off
+    room = after(it, judge, it.page.get_by_label("The ceiling is a dropped one").check)["room"]
+    assert room["ceiling"] == {"height": 2.4, "construction": "dropped"}
 
 
 def test_a_change_is_made_and_taken_back(it: Opened, judge: Judge) -> None:

@@ -158,7 +158,7 @@ def _plan(
     RefusedError
         The room cannot have been as it is said to have been before these changes.
     """
-    before = verdict.scenario if job.before is None else job.before
+    before = home.of(verdict.scenario if job.before is None else job.before)
     try:
         return action_plan(
             replace(verdict, scenario=before),

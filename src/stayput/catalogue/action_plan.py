@@ -86,12 +86,19 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{product}（長さ{length:.2f} m、厚さ{thickness:.0f} mm）",
     ),
     # What is not strong enough
-    "weak": ("Not strong enough for JMA intensity {strength}.", "{strength}の揺れには、強さが足りません。"),
+    "weak": (
+        "Too weak for JMA intensity {strength}: gives way in {fails} of the runs, the piece overturns in {share}.",
+        "{strength}の揺れには弱すぎます（器具が壊れるか外れる計算は{fails}、家具が倒れる計算は{share}）。",
+    ),
+    "no_reserve": (
+        "No reserve for JMA intensity {strength}: gives way in {fails} of the runs, the piece overturns in {share}.",
+        "{strength}の揺れに対して余裕がありません（器具が壊れるか外れる計算は{fails}、家具が倒れる計算は{share}）。",
+    ),
     "weak_bears": (
         "{measure}: each needs {needed}, holds about {holds} ({fails})",
         "{measure}：1個あたり{needed}必要なところ、約{holds}（{fails}）",
     ),
-    "weak_to": ("enough up to {strength}", "{strength}までなら足ります"),
+    "weak_to": ("with reserve up to {strength}", "{strength}までなら余裕があります"),
     "not_enough": (
         "Not enough for {pieces}: what else you can do",
         "強さや効果が足りない家具（{pieces}）に、ほかにできること",
@@ -107,24 +114,51 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Put beds and desks out of its reach, keep heavy things at the bottom, or choose a lower piece.",
         "ベッドや机を家具が届かない所に移す、重い物を下の段に入れる、背の低い家具に替える、という方法もあります。",
     ),
-    "weak_anywhere": ("not enough for JMA intensity 4 either", "震度4でも強さが足りません"),
+    "weak_anywhere": ("without reserve in JMA intensity 4 too", "震度4でも余裕がありません"),
+    # Why measures were not taken
+    "not_taken": ("What was not taken, and why", "選ばなかった対策と理由"),
+    "not_possible": ("cannot be put there ({why})", "取り付けられません（{why}）"),
+    "drills": ("needs holes in the wall", "壁に穴を開ける必要があります"),
+    "too_weak": (
+        "too weak: it gives way in {fails} of the runs, and the piece overturns in {share}",
+        "弱すぎます（器具が壊れるか外れる計算は{fails}、家具が倒れる計算は{share}）",
+    ),
+    "helps_not": (
+        "does not help: the piece still overturns in {share} of the runs",
+        "効果がありません（家具が倒れる計算は{share}）",
+    ),
+    "helps_less": ("helps less: {what} in {share} of the runs", "効果が小さめです（{what}計算は{share}）"),
+    "costs_more": ("brings no more, and costs more", "効果が変わらず、費用が高くなります"),
+    "brings_no_more": ("brings no more", "効果は変わりません"),
+    "not_needed": ("the steps bring as much without it", "ほかの項目だけで効果が変わりません"),
     # Where it goes
     "at_wall": (
         "on the wall {height:.2f} m above the floor, {apart}{studs}",
         "壁の床から{height:.2f} mの高さ、{apart}{studs}",
     ),
-    "on_studs": (", each on a stud", "、それぞれ下地のある所"),
+    "on_studs": (
+        ", on studs every {pitch:.0f} mm",
+        "、下地（間隔{pitch:.0f} mmの場合）の所",
+    ),
+    "on_one_stud": (
+        ", on a stud: the piece is too narrow for two studs",
+        "、下地のある所（幅が狭く、2本の下地には届きません）",
+    ),
+    "on_a_strip": (
+        ", more than there are studs behind it: on a strip of wood that is screwed across the studs",
+        "、下地の数より多いので、下地に渡してねじで留めた横木の所",
+    ),
     "apart": (
-        "{apart:.2f} m apart ({edge:.2f} m from its sides)",
-        "間隔{apart:.2f} m（側面から{edge:.2f} m）",
+        "{apart:.3g} m apart ({edge:.3g} m from its sides)",
+        "間隔{apart:.3g} m（側面から{edge:.3g} m）",
     ),
     "in_the_middle": ("in the middle of the piece", "家具の中央"),
     "belt_top": (
         (
             "on top of the piece {setback:.2f} m from its back, up to the wall {height:.2f} m above the floor, "
-            "{apart}, tight"
+            "{apart}{studs}, tight"
         ),
-        "家具の天板の背面から{setback:.2f} mの所から、壁の床から{height:.2f} mの高さへ、{apart}、たるませない",
+        "家具の天板の背面から{setback:.2f} mの所から、壁の床から{height:.2f} mの高さへ、{apart}{studs}、たるませない",
     ),
     "pole_top": (
         "on top of the piece {setback:.2f} m from its back, {apart}, {length:.2f} m long, under a ceiling joist",

@@ -118,6 +118,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "as_it_is": ("the room as it is", "今の部屋"),
     "fix": ("{measure} on {piece}", "{piece}を{measure}で固定"),
+    "move_along": (
+        "move {piece} along the {wall} until its middle is {along:.2f} m from the {start}",
+        "{piece}を{wall}に沿って、{start}から中心まで{along:.2f} mの位置へ移動",
+    ),
     "move_piece": (
         "move {piece} to the {wall}, its middle {along:.2f} m from the {start}",
         "{piece}を{wall}沿い（{start}から中心まで{along:.2f} m）へ移動",
@@ -163,6 +167,23 @@ TEXTS: dict[str, tuple[str, str]] = {
     "decided_joined": (
         "The decided changes move {name}, which stands on or is joined to another piece; it must stand by itself.",
         "{name}は、ほかの家具の上にあるか、つながれているので動かせません。単独の家具にしてください。",
+    ),
+    "home_contradicts": (
+        "“{condition}” was asked for, but {name} is stated otherwise; one of the two must go.",
+        "条件「{condition}」が、{name}の指定と食い違います。どちらかを取り消してください。",
+    ),
+    # Why a measure cannot be put on a piece
+    "leans_into": (
+        "It leans the piece into what stands on it.",
+        "家具が傾き、上に載っている物にぶつかります。",
+    ),
+    "wall_too_far": (
+        "There is no wall within {most:.2f} m behind the piece.",
+        "家具の背面から{most:.2f} m以内に壁がありません。",
+    ),
+    "at_an_opening": (
+        "There is a door or a window where it would be screwed on.",
+        "ねじ留めする所にドアか窓があります。",
     ),
     # Tables
     "motions": ("{count} motions", "地震動{count}本"),

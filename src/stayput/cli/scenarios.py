@@ -155,6 +155,7 @@ def verify(
     from stayput.errors import within
     from stayput.files import check_target
     from stayput.montecarlo.counting import SLIDE_LIMIT
+    from stayput.rooms.steps import Home
 
     for page in (report, plan):
         if page is not None:
@@ -183,6 +184,8 @@ def verify(
         raise InputError("common.left_out", "--plan", where=where).at(called(scenario))
     if measure:
         checked = _only(checked, measure)
+    with checked.naming_file():
+        checked = Home(**home).of(checked)  # the verdict, too, is of the room as it is said to be
     verdict = _verified(checked, over, limit, every_run, threads)
     if json:
         typer.echo(verdict.to_json(), nl=False)

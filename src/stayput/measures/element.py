@@ -33,6 +33,10 @@ if TYPE_CHECKING:
     from stayput.model.body import Body
 
 
+EDGE = 0.03
+"""Nearest to an end of a piece that something is screwed to its top [m]: a bracket is 40 mm wide."""
+
+
 @dataclass(frozen=True, slots=True)
 class Line:
     """A spring with a damper, slack and strength, along the normal or the tangent of an element.
@@ -107,6 +111,8 @@ class Element:
         part of it, two at the quarter points.
     across : float
         Where it is along the length, from the middle [m].
+    pitches : tuple of float
+        Usual distances between what alone it may be fixed to along the length [m]; none: it may be anywhere.
 
     Examples
     --------
@@ -131,12 +137,20 @@ class Element:
     count: int = 1
     inset: float = math.nan
     across: float = 0.0
+    pitches: tuple[float, ...] = ()
 
     def spread(self, length: float) -> tuple[Element, ...]:
-        """Return the devices that it stands for, one by one, along a length [m]."""
+        """Return the devices that it stands for, one by one, along a length [m].
+
+        On studs, whose places are not known, they are as far apart as a multiple of a usual distance that
+        comes next to equal parts; in equal parts too where they are more than there are studs.
+        """
         n = self.count
         if math.isnan(self.inset):
-            places = [((i + 0.5) / n - 0.5) * length for i in range(n)]
+            equal, most = length / n, (length - 2.0 * EDGE) / max(1, n - 1)
+            fitting = (times * pitch for pitch in self.pitches for times in range(1, int(most / pitch) + 1))
+            apart = min(fitting, key=lambda distance: abs(distance - equal), default=equal)
+            places = [(i - 0.5 * (n - 1)) * apart for i in range(n)]
         else:
             reach = max(0.0, 0.5 * length - self.inset)
             places = [reach * (2.0 * i / (n - 1) - 1.0) if n > 1 else 0.0 for i in range(n)]

@@ -165,6 +165,9 @@ PRYING_STIFFNESS = sum(r * r for r in PLATE_SCREWS) / PLATE**2
 SPAN = 2.4
 """Height of a wall whose room has no ceiling [m]."""
 
+STUD_PITCH = (0.303, 0.455)
+"""Usual distances between studs in Japan [m]."""
+
 
 @dataclass(frozen=True, slots=True)
 class Fastening:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, within
-from stayput.measures.element import Element, Line, at_rest, damper
+from stayput.measures.element import EDGE, Element, Line, at_rest, damper
 from stayput.measures.fixing import (
     BELT,
     BRACKET,
@@ -19,6 +19,7 @@ from stayput.measures.fixing import (
     PRYING_STIFFNESS,
     SCREWS,
     SPAN,
+    STUD_PITCH,
     TOP_BOARDS,
     TOPS,
     in_series,
@@ -67,6 +68,10 @@ class WallDevice(Measure):
         """Return what it is fixed to on the wall, of `stayput.model.room.WALLS`."""
         return wall.construction if self.wall == AS_ROOM else self.wall
 
+    def pitches(self, wall: Wall) -> tuple[float, ...]:
+        """Return the usual distances between what alone it may be fixed to [m]; none: it may be anywhere."""
+        return STUD_PITCH if self.fixed_to(wall) == "stud" else ()
+
     def cautions(self, body: Body, room: Room) -> tuple[Phrase, ...]:
         """Return that plasterboard hardly holds it, where it is fixed there."""
         if room.left_wall is None or self.strength is not None:
@@ -103,6 +108,11 @@ class WallDevice(Measure):
 def height_of(room: Room) -> float:
     """Return the height of the room's walls [m]."""
     return SPAN if room.ceiling is None else room.ceiling.height
+
+
+def most_on_studs(length: float) -> int:
+    """Return how many devices can be on studs behind a piece of a length [m], one on each."""
+    return math.floor(max(0.0, length - 2.0 * EDGE) / STUD_PITCH[0]) + 1
 
 
 REACH = 0.15
@@ -157,7 +167,14 @@ class Bracket(WallDevice):
         tangent = self._line(self.pushed_along(made_of), body.mass)
         brittle = pull.ultimate == 0.0
         element = Element(
-            self.kind, point, normal, tangent, facing=(1.0, 0.0), interaction=brittle, count=self.count
+            self.kind,
+            point,
+            normal,
+            tangent,
+            facing=(1.0, 0.0),
+            interaction=brittle,
+            count=self.count,
+            pitches=self.pitches(wall),
         )
         return Held(body, room, (element,), (self,))
 
@@ -270,7 +287,8 @@ class Tie(WallDevice):
         k, most = self.count * link.stiffness, self.count * link.strength
         c = damper(self.damping, k, body.mass)
         pulls = Line(k, c, self.slack, limit_plus=most, ultimate=link.ultimate, weakest=link.fails)
-        tie = Element(self.kind, point, pulls, to_anchor=(-away, rise), count=self.count)
+        pitches = self.pitches(wall)
+        tie = Element(self.kind, point, pulls, to_anchor=(-away, rise), count=self.count, pitches=pitches)
         return Held(body, room, (tie,), (self,))
 
 

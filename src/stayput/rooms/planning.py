@@ -16,13 +16,13 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of
-from stayput.measures import MEASURES, Measure
 from stayput.measures.edges import WedgeStopper
 from stayput.measures.floor import SOFT
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class
 from stayput.progress import tally
 from stayput.rooms.decisions import Decisions, decisions_of
+from stayput.rooms.step_words import why_not
 from stayput.rooms.steps import (
     ALIKE,
     SETS,
@@ -42,20 +42,22 @@ from stayput.rooms.steps import (
 )
 from stayput.simulation.groups import groups_at_first
 from stayput.simulation.placing import placed
-from stayput.verification.changes import Change, with_changes
+from stayput.verification.changes import Change, measures_for, with_changes
 from stayput.verification.compare import option_verdict
 from stayput.verification.contest import Contest
 from stayput.verification.options import compared_options, inputs_of_piece
 from stayput.verification.people import harm_step, hits_in
-from stayput.verification.search import falling_pieces, harmful_pieces, held_scene, moves_of
+from stayput.verification.search import falling_pieces, harmful_pieces, held, moves_of
 from stayput.verification.verdict import OptionVerdict, Verdict
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
+    from stayput.catalogue import Phrase
     from stayput.fragility.probabilities import Probability
+    from stayput.measures import Measure
+    from stayput.rooms.steps import NotTaken
     from stayput.scenario.option import Option
-    from stayput.simulation.scene import Scene
 
 WEAKER_CLASSES = ("6-upper", "6-lower", "5-upper", "5-lower", "4")
 """Classes of intensity, the strongest first, in which it is tried whether a device that is too weak holds."""
@@ -85,8 +87,9 @@ def action_plan(
     no_drilling : bool
         Whether nothing else may be screwed to a wall.
     tatami, plasterboard, dropped_ceiling : bool
-        What floor, walls and ceiling are, whatever the scenario says: tatami; plasterboard without studs that
-        can be used; a ceiling on wires, against which no pole may push. The room is verified anew with them.
+        What floor, walls and ceiling are, where the scenario does not say: tatami; plasterboard without studs
+        that can be used; a ceiling on wires, against which no pole may push. The room is verified anew with
+        them.
     threads : int, optional
         As many as there are cores by default. The bits do not depend on them.
     progress : bool, optional
@@ -98,7 +101,7 @@ def action_plan(
     ------
     InputError
         A decided change of something that is not in the room, or is moved twice; a move to where it cannot
-        stand; a measure that cannot be put in place.
+        stand; a measure that cannot be put in place. A scenario that says otherwise of the home.
 
     Examples
     --------
@@ -141,7 +144,7 @@ def action_plan(
         seconds=time.perf_counter() - began,
         complete=True,
     )
-    return ActionPlan(now, home, steps, unsolved, planner.drilled)
+    return ActionPlan(now, home, steps, unsolved, planner.drilled, planner.reasons())
 
 
 class _Planner:
@@ -169,6 +172,7 @@ class _Planner:
         self.harmful = {*struck} | harmful_pieces(contest, self.scene, self.runs)
         self.falling = falling_pieces(self.runs)
         self.drilled: dict[str, Fix] = {}
+        self._not_taken: dict[str, dict[tuple[str, ...], Phrase]] = {}
         self._known: dict[str, OptionVerdict] = {}
         self._weaker: dict[float, Contest] = {}
 
@@ -185,7 +189,20 @@ class _Planner:
                 chosen.append(fixing)
             elif names[body] not in moved or body in self.falling:
                 unsolved.append(names[body])
-        return tuple(self._in_order(chosen)), tuple(unsolved)
+        steps = tuple(self._in_order([*chosen]))
+        kept = {step.what for step in steps if step.fix is not None}
+        for fix, what in ((choice.step.fix, choice.step.what) for choice in chosen):
+            if fix is not None and what not in kept:
+                self._not_taken[what][fix.kinds] = phrase("action_plan.not_needed")
+        return steps, tuple(unsolved)
+
+    def reasons(self) -> dict[str, NotTaken]:
+        """Return why sets of measures were not taken on the pieces, in the order in which they are tried."""
+        return {
+            name: {kinds: why[kinds] for kinds in SETS if kinds in why}
+            for name, why in self._not_taken.items()
+            if why
+        }
 
     def _in_order(self, chosen: list[ChosenStep]) -> Iterable[PlanStep]:
         """Yield the steps that are needed, each time that which brings most with those before it.
@@ -261,7 +278,9 @@ class _Planner:
     def _fixing(self, body: int, moves: tuple[Change, ...]) -> ChosenStep | None:
         """Return the best measures on a piece, which stands where it is to stand after some moves."""
         decided = self.decisions.measures.get(body)
+        why = self._not_taken.setdefault(self.scenario.names[body], {})
         if decided is None:
+            why.update({kinds: phrase("action_plan.drills") for kinds in SETS if not self.home.allows(kinds)})
             tried = self._helpful(body, moves, [kinds for kinds in SETS if self.home.allows(kinds)])
         else:
             tried = [self._trial(body, decided)]
@@ -276,6 +295,8 @@ class _Planner:
         instead = None
         if fix.drilled and undrilled:
             instead = self._fitted(min(undrilled, key=merit), body, moves)
+        shown = {way.kinds for way in (fix, instead) if way is not None}
+        why.update({trial.kinds: why_not(trial, best) for trial in tried if trial.kinds not in shown})
         measures, was = tuple(purchase.measure for purchase in fix.purchases), self._overturned(body)
         deciding = inputs_of_piece(measures, self.scenario, body)
         what, alone, as_decided = self.scenario.names[body], fix.alone, decided is not None
@@ -291,18 +312,20 @@ class _Planner:
 
     def _helpful(self, body: int, moves: tuple[Change, ...], sets: Sequence[tuple[str, ...]]) -> list[Trial]:
         """Run sets of measures on a piece; return those that help and can be put on it where it will be."""
-        bare, tried = harm_step(self._harm(self.as_it_is, body)), list[Trial]()
-        soft = self.scenario.room.room().floor.surface in SOFT
+        bare, helpful = harm_step(self._harm(self.as_it_is, body)), list[Trial]()
+        why = self._not_taken[self.scenario.names[body]]
         for kinds in sets:
-            measures = tuple(MEASURES[kind]() for kind in kinds)
-            if soft and any(isinstance(measure, WedgeStopper) for measure in measures):  # it sinks in
-                continue
-            if self._held(body, measures, ()) is None or self._held(body, measures, moves) is None:
+            measures = measures_for(kinds, self.scene, body)
+            refused = self._refused(body, measures, ()) or self._refused(body, measures, moves)
+            if refused is not None:
+                why[kinds] = refused
                 continue
             trial = self._trial(body, measures)
             if harm_step(trial.harm) < bare or frees(trial.effect) or self._steadies(trial, body):
-                tried.append(trial)
-        return tried
+                helpful.append(trial)
+            else:
+                why[kinds] = why_not(trial)
+        return helpful
 
     def _harm(self, effect: OptionVerdict, body: int) -> float:
         """Return the harm of a piece and of what stands on it or bears it [J]."""
@@ -321,11 +344,28 @@ class _Planner:
         """Run measures on a piece where it stands."""
         effect = self._effect(self._on(body, measures))
         overturns = effect.pieces[body].probabilities[OVERTURNED]
-        return Trial(measures, effect, self._harm(effect, body), overturns)
+        return Trial(measures, effect, self._harm(effect, body), overturns, self._gives_way(effect, body))
 
-    def _held(self, body: int, measures: tuple[Measure, ...], moves: tuple[Change, ...]) -> Scene | None:
-        """Return the room with measures on a piece, or None where they cannot be put there."""
-        return held_scene(self.contest, self._with([*moves, *self._on(body, measures)]), body)
+    def _gives_way(self, effect: OptionVerdict, body: int) -> Probability:
+        """Return how often the weakest device on a piece fails."""
+        name = self.scenario.names[body]
+        failed = [device.failed for device in effect.devices if device.pieces == (name,)]
+        none = effect.probabilities[OVERTURNED]
+        nothing = replace(none, estimate=0.0, low=0.0, fell=0)
+        return max(failed, key=lambda chance: chance.estimate, default=nothing)
+
+    def _refused(self, body: int, measures: tuple[Measure, ...], moves: tuple[Change, ...]) -> Phrase | None:
+        """Return why measures cannot be put on a piece; None where they can."""
+        soft = self.scenario.room.room().floor.surface in SOFT
+        for measure in measures:
+            if soft and isinstance(measure, WedgeStopper):
+                return phrase("measures.wedge_sinks", measure=measure.label)
+        try:
+            held(self.contest, self._with([*moves, *self._on(body, measures)]), body)
+        except InputError as error:
+            sentence = error.told("en").removesuffix("."), error.told("ja").removesuffix("。")
+            return phrase("action_plan.not_possible", why=sentence)
+        return None
 
     def _fitted(self, tried: Trial, body: int, moves: tuple[Change, ...]) -> Fix:
         """Return measures as they are bought, where the piece will stand.
@@ -340,21 +380,22 @@ class _Planner:
         purchases = purchases_of(self.contest, option, measures, body)
         length = self.scene.pieces[body].body.length or 0.0
         fitted = tuple(in_number(purchase, length) for purchase in purchases)
-        if fitted != measures and all(self._held(body, fitted, way) is not None for way in ((), moves)):
+        if fitted != measures and not any(self._refused(body, fitted, way) for way in ((), moves)):
             measures, tried = fitted, self._trial(body, fitted)
             option = self._with([*moved, *self._on(body, measures)])
             purchases = purchases_of(self.contest, option, measures, body)
-        overturns, scene = tried.overturns, self.contest.scene(option)
+        overturns, gives_way, scene = tried.overturns, tried.gives_way, self.contest.scene(option)
         if moved:
             effect = self._effect([*moved, *self._on(body, measures)])
             overturns = effect.pieces[body].probabilities[OVERTURNED]
-        held = placed(scene)[body].held
-        assert held is not None
+            gives_way = self._gives_way(effect, body)
+        in_place = placed(scene)[body].held
+        assert in_place is not None
         cautions = tuple(
-            caution for measure in measures for caution in measure.cautions(held.body, held.room)
+            caution for measure in measures for caution in measure.cautions(in_place.body, in_place.room)
         )
         enough_to = self._enough_to(option, purchases, body)
-        return Fix(scene, body, purchases, tried.effect, overturns, cautions, enough_to)
+        return Fix(scene, body, purchases, tried.effect, overturns, gives_way, cautions, enough_to)
 
     def _enough_to(self, option: Option, purchases: tuple[Purchase, ...], body: int) -> float | None:
         """Return the JMA intensity, a class's middle, for which what is too weak here is strong enough.

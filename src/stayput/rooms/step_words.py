@@ -6,11 +6,11 @@ import math
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import Phrase, phrase
-from stayput.measures import Belt, Element, GelMats, Held, TensionPole, WedgeStopper
-from stayput.measures.fixing import SCREW_IN_STUD
+from stayput.measures import MEASURES, Belt, Element, GelMats, Held, TensionPole, WedgeStopper
+from stayput.measures.fixing import SCREW_IN_STUD, STUD_PITCH
 from stayput.measures.wall import WallDevice
 from stayput.montecarlo.counting import OVERTURNED
-from stayput.rooms.steps import STUD_PITCH, ActionPlan, Fix, PlanStep
+from stayput.rooms.steps import ActionPlan, Fix, PlanStep, cost_class_of, fails_to_hold, merit
 from stayput.simulation.placing import placed
 from stayput.simulation.stability import MAY_FALL_FROM
 from stayput.verification.room_words import label_of, people_in, piece_name
@@ -18,21 +18,21 @@ from stayput.verification.words import class_phrase
 from stayput.wording import inside, joined
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
     from stayput.fragility.probabilities import Probability
-    from stayput.rooms.steps import Purchase
+    from stayput.rooms.steps import NotTaken, Purchase, Trial
     from stayput.verification.verdict import OptionVerdict
 
 KILOGRAM = 9.80665
 """Weight of a kilogram, for people who read loads in kgf [N]."""
 
 
-def newtons(force: float) -> Phrase:
-    """Return a force that is asked for, rounded up, in newtons and kgf."""
+def newtons(force: float, whole: Callable[[float], int] = math.ceil) -> Phrase:
+    """Return a force in newtons and kgf, rounded up as one is asked for, or down as one is held."""
     step = 10.0 if force < 1000.0 else 50.0
-    asked = step * math.ceil(force / step - 1e-9)
-    return phrase("action_plan.newtons", newtons=asked, kilograms=math.ceil(asked / KILOGRAM))
+    rounded = step * whole(force / step)
+    return phrase("action_plan.newtons", newtons=rounded, kilograms=whole(rounded / KILOGRAM))
 
 
 def forces_asked(purchase: Purchase) -> list[tuple[str, float]]:
@@ -61,7 +61,7 @@ def products(fix: Fix) -> Phrase:
 
 
 def to_buy(purchase: Purchase, fix: Fix) -> Phrase:
-    """Return what to buy, with its rated strength; what is too weak here has none: see `too_weak`."""
+    """Return what to buy, with its rated strength; of what is too weak it is not told."""
     measure, body = purchase.measure, fix.piece.body
     called = product(purchase)
     if isinstance(measure, WedgeStopper):
@@ -86,13 +86,11 @@ def where(purchase: Purchase, fix: Fix) -> Phrase:
     match measure:
         case Belt():
             height = base + elements[0].point[1] + (elements[0].to_anchor or (0.0, 0.0))[1]
-            return phrase("action_plan.belt_top", setback=measure.setback, height=height, apart=apart)
+            values = {"height": height, "apart": apart, "studs": _on_studs(elements)}
+            return phrase("action_plan.belt_top", setback=measure.setback, **values)
         case WallDevice():
-            assert held.room.left_wall is not None
-            in_studs = measure.fixed_to(held.room.left_wall) == "stud"
-            studs = phrase("action_plan.on_studs") if in_studs else ""
             height = base + elements[0].point[1]
-            return phrase("action_plan.at_wall", height=height, apart=apart, studs=studs)
+            return phrase("action_plan.at_wall", height=height, apart=apart, studs=_on_studs(elements))
         case TensionPole():
             assert held.room.ceiling is not None
             space = held.room.ceiling.height - base - elements[0].point[1]
@@ -108,6 +106,17 @@ def _apart(elements: list[Element], length: float) -> Phrase:
         return phrase("action_plan.in_the_middle")
     places = sorted(element.across for element in elements)
     return phrase("action_plan.apart", apart=places[1] - places[0], edge=0.5 * length - places[-1])
+
+
+def _on_studs(elements: list[Element]) -> Phrase:
+    """Return how devices on a wall come to stand on studs; nothing where they may stand anywhere."""
+    if not elements[0].pitches:
+        return "", ""
+    if len(elements) < 2:
+        return phrase("action_plan.on_one_stud")
+    apart = abs(elements[1].across - elements[0].across)
+    on = [pitch for pitch in elements[0].pitches if abs(math.remainder(apart, pitch)) < 1e-9]
+    return phrase("action_plan.on_studs", pitch=1e3 * on[0]) if on else phrase("action_plan.on_a_strip")
 
 
 def checks(fix: Fix) -> Iterator[Phrase]:
@@ -132,8 +141,8 @@ def checks(fix: Fix) -> Iterator[Phrase]:
     yield from seen.values()
 
 
-def too_weak(fix: Fix, plan: ActionPlan) -> tuple[Phrase, Phrase] | None:
-    """Return that a fix is not strong enough, and what it bears and up to which shaking; None if it is."""
+def not_strong_enough(fix: Fix, plan: ActionPlan) -> tuple[Phrase, Phrase] | None:
+    """Return that a fix is too weak or has no reserve, what it bears and up to which shaking, if it is so."""
     if fix.enough:
         return None
     sentences = [_bears(purchase) for purchase in fix.purchases if not purchase.enough]
@@ -141,8 +150,49 @@ def too_weak(fix: Fix, plan: ActionPlan) -> tuple[Phrase, Phrase] | None:
         sentences.append(phrase("action_plan.weak_anywhere"))
     else:
         sentences.append(phrase("action_plan.weak_to", strength=class_phrase(fix.enough_to)))
-    weak = phrase("action_plan.weak", strength=class_phrase(plan.verdict.intensity, plan.verdict.floor))
+    values = {
+        "strength": class_phrase(plan.verdict.intensity, plan.verdict.floor),
+        "fails": fix.gives_way.share,
+        "share": fix.overturns.share,
+    }
+    weak = phrase("action_plan.weak" if fix.too_weak else "action_plan.no_reserve", **values)
     return weak, joined(sentences, "action_plan.next")
+
+
+def why_not(tried: Trial, taken: Trial | None = None) -> Phrase:
+    """Return why measures that have run on a piece were not taken; where none were, they do not help."""
+    effect, shares = tried.effect, {"share": tried.overturns.share}
+    if fails_to_hold(tried.gives_way, tried.overturns):
+        return phrase("action_plan.too_weak", fails=tried.gives_way.share, **shares)
+    if taken is None:
+        return phrase("action_plan.helps_not", **shares)
+    people = effect.people
+    assert people is not None
+    keys = {
+        "hit": people.hit.chance,
+        "shut_in": people.shut_in.chance,
+        "blocked": people.blocked.chance,
+        "overturned": tried.overturns,
+    }
+    for (key, chance), less, more in zip(keys.items(), merit(tried), merit(taken), strict=False):
+        if less > more:
+            what = phrase(f"rooms.chance_of_{key}")
+            return phrase("action_plan.helps_less", what=what, share=chance.share)
+    costlier = cost_class_of(tried.kinds) > cost_class_of(taken.kinds)
+    return phrase("action_plan.costs_more" if costlier else "action_plan.brings_no_more")
+
+
+def sets_not_taken(reasons: NotTaken) -> Phrase:
+    """Return which sets of measures were not taken on a piece, each with the reason."""
+    return joined(
+        (
+            joined(
+                (joined((MEASURES[kind].label for kind in kinds), "action_plan.plus"), why), "common.colon"
+            )
+            for kinds, why in reasons.items()
+        ),
+        "action_plan.next",
+    )
 
 
 def _bears(purchase: Purchase) -> Phrase:
@@ -155,7 +205,7 @@ def _bears(purchase: Purchase) -> Phrase:
         "action_plan.weak_bears",
         measure=purchase.measure.label,
         needed=newtons(needed),
-        holds=newtons(holds),
+        holds=newtons(holds, math.floor),
         fails=purchase.fails or "",
     )
 
@@ -269,11 +319,14 @@ def heading(step: PlanStep, plan: ActionPlan) -> Phrase:
     """Return what a step consists of."""
     if step.fix is None:
         assert step.move is not None
-        english, japanese = label_of(step.move, plan.verdict)
-        return english[:1].upper() + english[1:], japanese
-    english, japanese = piece_name(step.what)
-    called = english[:1].upper() + english[1:], japanese
-    return joined((called, products(step.fix)), "common.colon")
+        return capital(label_of(step.move, plan.verdict))
+    return joined((capital(piece_name(step.what)), products(step.fix)), "common.colon")
+
+
+def capital(words: Phrase) -> Phrase:
+    """Return words as they begin a line."""
+    english, japanese = words
+    return english[:1].upper() + english[1:], japanese
 
 
 def held_by(fix: Fix) -> Held:

@@ -8,14 +8,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 
+from stayput.catalogue import phrase
+from stayput.errors import InputError
 from stayput.measures import MEASURES, GelMats, Measure, TensionPole
-from stayput.measures.wall import WallDevice
+from stayput.measures.wall import WallDevice, most_on_studs
 from stayput.montecarlo.counting import OVERTURNED
+from stayput.scenario.tables import floor_of
 from stayput.simulation.placing import placed
+from stayput.simulation.stability import MAY_FALL_FROM
 from stayput.uncertainty import USUAL
 from stayput.verification.options import COMBINED
 from stayput.verification.people import harm_step
@@ -49,8 +53,10 @@ COST_CLASSES = {"l_bracket": 1, "belt": 1, "wedge_stopper": 1, "gel_mats": 2, "t
 COST_BOUNDS = ((2_000, 15), (6_000, 40))
 """Upper ends of the cost classes 1 and 2, in yen and in euros: a convention; class 3 is all above."""
 
-STUD_PITCH = (0.303, 0.455)
-"""Usual distances between studs in Japan [m]."""
+
+def cost_class_of(kinds: Iterable[str]) -> int:
+    """Return the cost class of measures on a piece, 1 to 3."""
+    return min(len(COST_BOUNDS) + 1, sum(COST_CLASSES[kind] for kind in kinds))
 
 
 QUANTILE = 0.95
@@ -199,7 +205,7 @@ def in_number(purchase: Purchase, length: float) -> Measure:
     measure = purchase.measure
     if not isinstance(measure, WallDevice) or purchase.needed is None or purchase.holds is None:
         return measure
-    most = max(measure.count, math.floor(length / STUD_PITCH[0]) + 1)
+    most = max(measure.count, most_on_studs(length))
     needed = math.ceil(measure.count * more_than(purchase.needed, purchase.holds))
     return replace(measure, count=min(most, max(measure.count, needed)))
 
@@ -213,7 +219,7 @@ class Home:
     no_drilling : bool
         Whether nothing may be screwed to a wall.
     tatami : bool
-        Whether the floor is tatami, whatever the scenario says: gel does not stick there.
+        Whether the floor is tatami, to which gel does not stick.
     plasterboard : bool
         Whether the walls are plasterboard without studs that can be used.
     dropped_ceiling : bool
@@ -230,15 +236,29 @@ class Home:
         return not (self.no_drilling and any(MEASURES[kind].drilled for kind in kinds))
 
     def of(self, scenario: Scenario) -> Scenario:
-        """Return a room as it is in this home."""
-        room = scenario.room
+        """Return a room as it is in this home.
+
+        Raises
+        ------
+        InputError
+            The scenario states something else of its floor, walls or ceiling.
+        """
+        room, ceiling = scenario.room, scenario.room.ceiling
         changed: dict[str, Any] = {}
-        if self.tatami and not (isinstance(room.floor, str) and room.floor.startswith("tatami")):
-            changed["floor"] = TATAMI
-        if self.plasterboard:
-            changed["walls"] = "plasterboard"
-        if self.dropped_ceiling and room.ceiling is not None:
-            changed["ceiling"] = room.ceiling.model_copy(update={"construction": "dropped"})
+
+        def change(name: str, key: str, value: object, *, stated: bool) -> None:
+            if stated:
+                raise InputError("rooms.home_contradicts", key, condition=phrase(f"action_plan.{name}"))
+            changed[key.split(".")[1]] = value
+
+        if self.tatami and not floor_of(room.floor).surface.startswith("tatami"):
+            change("tatami", "room.floor", TATAMI, stated="floor" in room.model_fields_set)
+        if self.plasterboard and room.walls != "plasterboard":
+            change("plasterboard", "room.walls", "plasterboard", stated="walls" in room.model_fields_set)
+        if self.dropped_ceiling and ceiling is not None and ceiling.construction != "dropped":
+            dropped = ceiling.model_copy(update={"construction": "dropped"})
+            stated = "construction" in ceiling.model_fields_set
+            change("dropped_ceiling", "room.ceiling.construction", dropped, stated=stated)
         if not changed:
             return scenario
         return scenario.model_copy(update={"room": room.model_copy(update=changed)})
@@ -260,6 +280,8 @@ class Fix:
         What they bring by themselves, with everything where it is.
     overturns : Probability
         That the piece overturns with them where it is to stand.
+    gives_way : Probability
+        That the weakest of their devices fails there.
     cautions : tuple of Phrase
         Why they may not do much, each as a clause.
     enough_to : float or None
@@ -272,6 +294,7 @@ class Fix:
     purchases: tuple[Purchase, ...]
     alone: OptionVerdict
     overturns: Probability
+    gives_way: Probability
     cautions: tuple[Phrase, ...]
     enough_to: float | None = None
 
@@ -286,6 +309,14 @@ class Fix:
         return all(purchase.enough for purchase in self.purchases)
 
     @property
+    def too_weak(self) -> bool:
+        """Whether, not being strong enough, they fail in the runs too, and the piece overturns often.
+
+        Else what is not strong enough has no reserve.
+        """
+        return not self.enough and fails_to_hold(self.gives_way, self.overturns)
+
+    @property
     def kinds(self) -> tuple[str, ...]:
         """The kinds of its measures."""
         return tuple(purchase.measure.kind for purchase in self.purchases)
@@ -298,7 +329,11 @@ class Fix:
     @property
     def cost_class(self) -> int:
         """Its cost: 1 to 3; see `COST_CLASSES`."""
-        return min(len(COST_BOUNDS) + 1, sum(COST_CLASSES[kind] for kind in self.kinds))
+        return cost_class_of(self.kinds)
+
+
+NotTaken: TypeAlias = "Mapping[tuple[str, ...], Phrase]"
+"""Why sets of measures were not taken on a piece, each a clause, by their kinds."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -374,6 +409,8 @@ class ActionPlan:
     drilled : mapping
         Where nothing may be drilled: the best measures that are, on each piece for which all others are too
         weak or do not help.
+    not_taken : mapping
+        The sets of measures that were not taken on a piece, by their kinds, and why.
 
     Examples
     --------
@@ -397,6 +434,7 @@ class ActionPlan:
     steps: tuple[PlanStep, ...]
     unsolved: tuple[str, ...]
     drilled: Mapping[str, Fix] = field(default_factory=dict[str, "Fix"])
+    not_taken: Mapping[str, NotTaken] = field(default_factory=dict[str, "NotTaken"])
 
     def __repr__(self) -> str:
         return f"ActionPlan({len(self.steps)} steps, {len(self.unsolved)} pieces unsolved; {self.verdict!r})"
@@ -437,6 +475,17 @@ class Trial(NamedTuple):
     effect: OptionVerdict
     harm: float
     overturns: Probability
+    gives_way: Probability
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """The kinds of its measures."""
+        return tuple(measure.kind for measure in self.measures)
+
+
+def fails_to_hold(gives_way: Probability, overturns: Probability) -> bool:
+    """Return whether measures fail in the runs, and the piece overturns often all the same."""
+    return gives_way.estimate > 0.0 and overturns.estimate >= MAY_FALL_FROM
 
 
 class ChosenStep(NamedTuple):

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stayput.errors import InputError
-from stayput.measures.wall import REACH, WallDevice
+from stayput.measures import MEASURES
+from stayput.measures.wall import REACH, WallDevice, most_on_studs
 from stayput.model.floor_plan import FACING, FloorPlan, PersonPlace, rectangle
 from stayput.scenario.option import Moved
 from stayput.simulation.convex import inside_each_other
@@ -17,9 +19,10 @@ from stayput.simulation.piece import BEHIND
 from stayput.simulation.placing import placed
 from stayput.simulation.space_engine import DEEPEST
 from stayput.simulation.tracks import outline_of
+from stayput.verification.events import PASSAGE
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
+    from collections.abc import Iterable, Iterator, Mapping, Sequence
 
     from numpy.typing import NDArray
 
@@ -92,7 +95,7 @@ class FreeFloor:
         """Return whether something with a convex outline may be put there.
 
         It may not be in a wall, in a piece or a person's place, before a door, or before a window whose sill
-        it is higher than.
+        it is higher than; nor leave no passage along a long side of a bed, unless the bed has none now.
 
         Parameters
         ----------
@@ -108,8 +111,8 @@ class FreeFloor:
         if (corners < -1e-9).any() or (corners > np.array([self.plan.width, self.plan.length]) + 1e-9).any():
             return False
         others = (piece for number, piece in enumerate(self.pieces) if number != but_piece)
-        taken = [outline_of((piece.solid.vertices @ piece.turn.T) + np.asarray(piece.at)) for piece in others]
-        taken += [place.corners for place in self.plan.places if place.name != but_place]
+        solid = [_outline(piece) for piece in others]
+        taken = [*solid, *(place.corners for place in self.plan.places if place.name != but_place)]
         taken += [
             _before(self.plan, door.wall, door.start, door.width, door.width) for door in self.plan.doors
         ]
@@ -118,7 +121,50 @@ class FreeFloor:
             for window in self.plan.windows
             if height > window.sill
         ]
-        return not any(overlap(corners, other) for other in taken)
+        if any(overlap(corners, other) for other in taken):
+            return False
+        beds, needed = self._beds, self._with_passage_now
+        if but_place in beds:
+            beds, needed = {**beds, but_place: corners}, {*needed, but_place}
+        elif not but_place:
+            solid.append(corners)
+        return self._with_passage(beds, solid) >= needed
+
+    @cached_property
+    def _beds(self) -> dict[str, NDArray[np.float64]]:
+        """What people lie or sit on that takes the floor, by name."""
+        return {place.name: place.corners for place in self.plan.places if place.blocks}
+
+    @cached_property
+    def _with_passage_now(self) -> set[str]:
+        return self._with_passage(self._beds, [_outline(piece) for piece in self.pieces])
+
+    def _with_passage(
+        self, beds: Mapping[str, NDArray[np.float64]], solid: Sequence[NDArray[np.float64]]
+    ) -> set[str]:
+        """Return which of the beds have a free passage along one of their long sides."""
+        room = np.array([self.plan.width, self.plan.length])
+
+        def free(strip: NDArray[np.float64], but: str) -> bool:
+            others = [*solid, *(bed for name, bed in beds.items() if name != but)]
+            inside = (strip >= -1e-9).all() and (strip <= room + 1e-9).all()
+            return bool(inside) and not any(overlap(strip, other) for other in others)
+
+        return {name for name, bed in beds.items() if any(free(strip, name) for strip in passages(bed))}
+
+
+def _outline(piece: Piece) -> NDArray[np.float64]:
+    return outline_of((piece.solid.vertices @ piece.turn.T) + np.asarray(piece.at))
+
+
+def passages(bed: NDArray[np.float64]) -> Iterator[NDArray[np.float64]]:
+    """Yield the floor along the long sides of a bed that a person needs to get up and walk there [m]."""
+    sides = np.roll(bed, -1, axis=0) - bed
+    lengths = np.hypot(*sides.T)
+    for start, side, length in zip(bed, sides, lengths, strict=True):
+        if length >= lengths.max() - 1e-9:
+            out = PASSAGE / length * np.array([side[1], -side[0]])
+            yield np.array([start, start + out, start + out + side, start + side])
 
 
 def _before(plan: FloorPlan, wall: str, start: float, width: float, depth: float) -> NDArray[np.float64]:
@@ -178,8 +224,22 @@ def loose_pieces(scenario: Scenario) -> set[int]:
     return set(range(len(pieces))) - {number for bond in bonds for number in bond}
 
 
-def can_be_held(scene: Scene, body: int) -> bool:
-    """Return whether the measures of a scene can be put in place, those of one of its pieces on a wall.
+def measures_for(kinds: Sequence[str], scene: Scene, body: int) -> tuple[Measure, ...]:
+    """Return measures as they are tried on a piece: on a wall with studs no more than one device on each."""
+    assert scene.plan is not None
+    on_studs = scene.plan.walls == "stud"
+    most = most_on_studs(scene.pieces[body].body.length or 0.0)
+    measures = (MEASURES[kind]() for kind in kinds)
+    return tuple(
+        replace(measure, count=min(measure.count, most))
+        if on_studs and isinstance(measure, WallDevice)
+        else measure
+        for measure in measures
+    )
+
+
+def refuse_unheld(scene: Scene, body: int) -> None:
+    """Raise `InputError` where the measures of a scene cannot be put in place, those of a piece on a wall.
 
     A device on a wall needs one within `REACH`, with no door or window where it is screwed on.
 
@@ -190,27 +250,24 @@ def can_be_held(scene: Scene, body: int) -> bool:
     body : int
         Which of them.
     """
-    try:
-        all_placed = placed(scene)
-    except InputError:  # no wall behind, no ceiling known, another measure at the same place
-        return False
+    all_placed = placed(scene)
     pieces, held = [each.piece for each in all_placed], all_placed[body].held
     assert held is not None
     others = (piece for number, piece in enumerate(pieces) if number != body)
     if any(inside_each_other(pieces[body], piece) > DEEPEST for piece in others):
-        return False  # a wedge leans it into what stands on it
+        raise InputError("rooms.leans_into", "measures")
     on_wall = {measure.kind for measure in held.measures if isinstance(measure, WallDevice)}
     if not on_wall:
-        return True
+        return
     wall_behind = held.room.left_wall
     if wall_behind is None or wall_behind.gap > REACH:
-        return False
+        raise InputError("rooms.wall_too_far", "measures", most=REACH)
     member, plan = scene.pieces[body], scene.plan
     assert plan is not None
     wall = wall_faced(member.heading)
     axis = 1 if wall in ("left_wall", "right_wall") else 0
     across = (-math.sin(member.heading), math.cos(member.heading))[axis]
-    return not any(
+    if any(
         _in_an_opening(
             plan,
             wall,
@@ -219,7 +276,8 @@ def can_be_held(scene: Scene, body: int) -> bool:
         )
         for element in held.elements
         if element.kind in on_wall
-    )
+    ):
+        raise InputError("rooms.at_an_opening", "measures")
 
 
 def wall_faced(heading: float) -> str:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from stayput.catalogue import Phrase, phrase, say
 from stayput.catalogue.names import PIECES
 from stayput.fragility.probabilities import percent
+from stayput.measures.wall import REACH
 from stayput.model.floor_plan import PLACE_NAMES, Door, PersonPlace
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.verification.changes import Change, wall_faced
@@ -181,9 +182,13 @@ def label_of(change: Change, verdict: Verdict) -> Phrase:
         how = phrase("rooms.turned" if turned else "rooms.moved", place=name_within(place.name, PLACE_NAMES))
         return phrase("rooms.move_place", how=how, x=x, y=y)
     wall = wall_faced(change.heading)
-    along, start = (y, "near_side_wall") if wall in ("left_wall", "right_wall") else (x, "left_wall")
+    axis = 0 if wall in ("left_wall", "right_wall") else 1  # across the wall
+    along, start = (y, "near_side_wall") if axis == 0 else (x, "left_wall")
+    piece = verdict.scenario.scene().pieces[verdict.scenario.names.index(change.what)]
+    off = abs(piece.at[0] - x if axis == 0 else piece.at[1] - y)
+    at_this_wall = wall_faced(piece.heading) == wall and off <= REACH
     return phrase(
-        "rooms.move_piece",
+        "rooms.move_along" if at_this_wall else "rooms.move_piece",
         piece=piece_within(change.what),
         wall=phrase(f"rooms.{wall}"),
         along=along,

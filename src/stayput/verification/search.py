@@ -7,22 +7,23 @@ it moves where it stands, turned with it. What a change brings is then told by r
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stayput.errors import InputError
-from stayput.measures import MEASURES
 from stayput.model.floor_plan import FACING
 from stayput.simulation.stability import MAY_FALL_FROM
 from stayput.simulation.tracks import outline_of
 from stayput.verification.changes import (
     Change,
     FreeFloor,
-    can_be_held,
     loose_pieces,
+    measures_for,
     other_places,
     places_at_walls,
+    refuse_unheld,
     with_changes,
 )
 from stayput.verification.people import hardest, harm_of, hits_in, risk_of
@@ -75,18 +76,22 @@ def tried_options(contest: Contest, base: Option, runs: Runs) -> Iterator[Option
     chances = overturning(runs)
     for body in sorted(harmful | falling, key=key, reverse=True):
         for kind in TRIED if scenario.pieces[body].is_furniture else ():
-            option = with_changes(base, [Change(names[body], MEASURES[kind]())], names)
-            if held_scene(contest, option, body) is not None:
-                yield option
+            (measure,) = measures_for((kind,), scene, body)
+            option = with_changes(base, [Change(names[body], measure)], names)
+            with suppress(InputError):  # it cannot be put there
+                yield held(contest, option, body)
 
 
-def held_scene(contest: Contest, option: Option, body: int) -> Scene | None:
-    """Return the scene of an option, or None where the measures on a piece cannot be put in place there."""
-    try:
-        scene = contest.scene(option)
-    except InputError:  # another measure at the same place
-        return None
-    return scene if can_be_held(scene, body) else None
+def held(contest: Contest, option: Option, body: int) -> Option:
+    """Return an option whose measures on a piece can be put in place.
+
+    Raises
+    ------
+    InputError
+        They cannot be.
+    """
+    refuse_unheld(contest.scene(option), body)
+    return option
 
 
 def overturning(runs: Runs) -> list[float]:

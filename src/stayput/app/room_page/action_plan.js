@@ -5,18 +5,30 @@ import { patiently, pause } from "../connection.js";
 import { toggle } from "../controls.js";
 import { fill, part } from "../dom.js";
 import { worded } from "../refusals.js";
+import { plain } from "../scene.js";
 import { number, spoken, t } from "../words.js";
 import * as room from "./room.js";
 
 const HOME = ["no_drilling", "tatami", "plasterboard", "dropped_ceiling"],
   LOOK = 500; // how often the server is asked how far it has come [ms]
-/** What the room itself says of the home. */
+/** What the room says of the home. */
 const SAID = {
-  no_drilling: () => false,
-  tatami: ({ floor }) => typeof floor === "string" && floor.startsWith("tatami"),
-  plasterboard: ({ walls }) => walls === "plasterboard",
-  dropped_ceiling: ({ ceiling }) => ceiling?.construction === "dropped",
+  no_drilling: ({ home }) => home?.no_drilling === true,
+  tatami: ({ room: { floor } = {} }) => typeof floor === "string" && floor.startsWith("tatami"),
+  plasterboard: ({ room: { walls } = {} }) => walls === "plasterboard",
+  dropped_ceiling: ({ room: { ceiling } = {} }) => ceiling?.construction === "dropped",
 };
+/** What is ticked goes into the room, whose runs are of that home. */
+const surfaces = (before, changed) => ({ ...before, room: { ...before.room, ...changed } }),
+  TICKED = {
+    no_drilling: (before, on) => ({ ...before, home: { no_drilling: on } }),
+    tatami: (before, on) => surfaces(before, { floor: on ? "tatami, along the weave" : plain.floor }),
+    plasterboard: (before, on) => surfaces(before, { walls: on ? "plasterboard" : plain.wallConstruction }),
+    dropped_ceiling: (before, on) => {
+      const construction = on ? "dropped" : plain.ceilingConstruction;
+      return surfaces(before, { ceiling: { height: plain.ceiling, ...before.room?.ceiling, construction } });
+    },
+  };
 const fields = {};
 let said = null, // of the home, when that was last told
   job = null, // the verdict's, once that is complete
@@ -42,8 +54,7 @@ export function build() {
       const field = toggle({
         label: t(`allowed_${name}`),
         changed: (on) => {
-          const before = room.current();
-          room.change({ ...before, home: { ...before.home, [name]: on } });
+          room.change(TICKED[name](room.current(), on));
           update();
         },
       });
@@ -58,11 +69,7 @@ export function build() {
 /** Whether a change may be made in this home. */
 export const mayBe = ({ drilled }) => !drilled || !isSo("no_drilling");
 
-/** Whether something is so in this home: as it was ticked by hand, or else as the room has it. */
-function isSo(name) {
-  const { home, room: surfaces } = room.current();
-  return typeof home?.[name] === "boolean" ? home[name] : SAID[name](surfaces ?? {});
-}
+const isSo = (name) => SAID[name](room.current());
 
 /** Ticks what is so, and tells where that has changed. */
 export function update() {

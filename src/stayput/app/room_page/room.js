@@ -40,7 +40,7 @@ export function adjust(next) {
   tell();
 }
 
-/** What is worked out of a room: all but which of its earthquakes is shown, and what was ticked of the home. */
+/** What is worked out of a room: all but which of its earthquakes is shown, and whether nothing may be drilled. */
 export const computed = ({ home, ...one }) =>
   JSON.stringify({ ...one, shaking: { ...one.shaking, member: undefined } });
 

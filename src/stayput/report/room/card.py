@@ -17,13 +17,15 @@ from stayput.report.room.elevation import SIZES, elevation_scale, elevation_svg,
 from stayput.report.room.plan import numbered_plan
 from stayput.report.room.sheet import PlanSheet
 from stayput.rooms.step_words import (
+    capital,
     changes_nothing,
     checks,
     effects,
     falls,
     heading,
+    not_strong_enough,
+    sets_not_taken,
     to_buy,
-    too_weak,
     what_it_brings,
     where,
     worth_telling,
@@ -82,6 +84,10 @@ def plan_html(plan: ActionPlan, language: str = "en") -> str:
         "rows": [_row(number, plan, elevations, language) for number in range(1, len(plan.steps) + 1)],
         "dead_end": _dead_end(plan, language),
         "checks": _checks(plan, language),
+        "not_taken": [
+            (say(capital(piece_name(name)), language), say(sets_not_taken(reasons), language))
+            for name, reasons in plan.not_taken.items()
+        ],
         "rough": any(step.grade == max(MEANINGS) for step in plan.steps),
         "weakest": listed_once(plan, lambda step: [joined(item.label for item in step.weakest)], language),
         "notes": [say(note, language) for note in _notes(plan)],
@@ -207,11 +213,11 @@ def _other(step: PlanStep, plan: ActionPlan, language: str) -> tuple[str, dict[s
 
 
 def _dead_end(plan: ActionPlan, language: str) -> dict[str, Any] | None:
-    """Return what else can be done where the steps are not enough, and for which pieces; None where they are.
+    """Return what else can be done where the steps are too weak, and for which pieces; None where they are.
 
     Among it is what could be done with drilling on a piece that has no step.
     """
-    names = [step.what for step in plan.steps if step.fix is not None and not step.fix.enough]
+    names = [step.what for step in plan.steps if step.fix is not None and step.fix.too_weak]
     names += plan.unsolved
     if not names:
         return None
@@ -233,7 +239,7 @@ def _block(
     fix: Fix | None, lines: Iterable[tuple[str, Phrase]], plan: ActionPlan, language: str
 ) -> dict[str, Any]:
     """Return what is said of a move or of measures: that they are too weak, and lines with headings."""
-    weak = None if fix is None else too_weak(fix, plan)
+    weak = None if fix is None else not_strong_enough(fix, plan)
     return {
         "warning": None if weak is None else [say(sentence, language) for sentence in weak],
         "lines": [(_own(language, key), say(sentence, language)) for key, sentence in lines],
@@ -255,7 +261,7 @@ def _lines(number: int, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
         if fix is not None or now.estimate != was.estimate:
             sentences.append(_overturns(was, now))
     sentences += what_it_brings(number, plan)
-    yield "effect" if fix is None or fix.enough else "reaches", joined(sentences, "action_plan.next")
+    yield "reaches" if fix is not None and fix.too_weak else "effect", joined(sentences, "action_plan.next")
     if fix is not None and fix.cautions:
         yield "caution", joined(fix.cautions, "action_plan.next")
 
@@ -265,7 +271,7 @@ def _lines_of_other(fix: Fix, was: Probability, plan: ActionPlan) -> Iterator[tu
     sentences = [_overturns(was, fix.overturns)]
     if not changes_nothing(fix.alone, plan):
         sentences.append(effects(fix.alone, plan))
-    yield "effect" if fix.enough else "reaches", joined(sentences, "action_plan.next")
+    yield "reaches" if fix.too_weak else "effect", joined(sentences, "action_plan.next")
     yield "buy", joined(to_buy(purchase, fix) for purchase in fix.purchases)
     if fix.cautions:
         yield "caution", joined(fix.cautions, "action_plan.next")

@@ -69,6 +69,10 @@ def plan_data(plan: ActionPlan) -> dict[str, Any]:
         "together": None if together is None else _effect(together),
         "unsolved": list(plan.unsolved),
         "with_drilling": {name: _fix(fix) for name, fix in plan.drilled.items()},
+        "not_taken": {
+            name: [{"types": list(kinds), "why": by_language(why)} for kinds, why in reasons.items()]
+            for name, reasons in plan.not_taken.items()
+        },
         "room": verdict_data(plan.verdict),
     }
 
@@ -93,8 +97,9 @@ def _step(step: PlanStep, plan: ActionPlan) -> dict[str, Any]:
 def _fix(fix: Fix) -> dict[str, Any]:
     return {
         "overturned": interval_data(fix.overturns),
+        "gives_way": interval_data(fix.gives_way),
         "alone": _effect(fix.alone),
-        "enough": fix.enough,
+        **attributes(fix, "enough", "too_weak"),
         "enough_to_jma": None if fix.enough_to is None else number(fix.enough_to),
         "cautions": [list(caution) for caution in fix.cautions],
         "buy": [

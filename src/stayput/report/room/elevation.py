@@ -189,7 +189,7 @@ class _View:
             yield svg.line(x, level - 4.0, x, level + 4.0, "size")
         if len(places) > 1:
             yield svg.label(
-                0.5 * (marks[1] + marks[2]), level + 22.0, f"{places[1] - places[0]:.2f}", anchor="middle"
+                0.5 * (marks[1] + marks[2]), level + 22.0, f"{places[1] - places[0]:.3g}", anchor="middle"
             )
 
     def side(self) -> Iterator[str]:
