@@ -90,7 +90,7 @@ def verify_room(
     ... })
     >>> verdict = sp.verify_room(scenario, changes=False, progress=False)
     >>> verdict.hit.text, verdict.hit.runs
-    ('75 % (36 to 94 %)', 8)
+    ('36 to 94 %', 8)
     """
     began = time.perf_counter()
     limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
