@@ -141,7 +141,7 @@ class FragilityCurve(InJson):
     >>> trials = sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40])
     >>> curve = sp.fragility_curve(trials, "bookcase")
     >>> curve.name, curve.levels[1].probability.text
-    ('bookcase', '48 % (33 to 63 %)')
+    ('bookcase', 'about 50 % (33 to 63 %)')
     """
 
     name: str

@@ -249,7 +249,7 @@ def falls(plan: ActionPlan) -> Phrase | None:
 
 
 def effects(effect: OptionVerdict, plan: ActionPlan, before: OptionVerdict | None = None) -> Phrase:
-    """Return what changes of who is hit, who is shut in, and which door is blocked.
+    """Return what changes of who is hit, who is shut in, and which door is blocked; all where nothing does.
 
     Parameters
     ----------
@@ -261,14 +261,17 @@ def effects(effect: OptionVerdict, plan: ActionPlan, before: OptionVerdict | Non
         From what it changes; from the room as it is where it is left out.
     """
     first = {} if before is None else chances_after(before, plan)
+    after = worth_telling(effect, plan)
+    rows = [(key, first[key][0] if first else was, chance) for key, (chance, was) in after.items()]
+    changed = [row for row in rows if row[1].share != row[2].share]
     return joined(
         phrase(
             "action_plan.changes",
             what=phrase(f"rooms.chance_of_{key}"),
-            was=(first[key][0] if first else was).share,
+            was=was.share,
             now=chance.texts,
         )
-        for key, (chance, was) in worth_telling(effect, plan).items()
+        for key, was, chance in changed or rows
     )
 
 
