@@ -24,18 +24,17 @@ from stayput.mechanics.devices.columns import DEVICE
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.report.room.card import plan_html
 from stayput.report.room.elevation import ELEVATION_SCALES, SIZES, elevation_scale, size_on_paper, sizes_of
-from stayput.rooms.step_words import changes_nothing, checks, not_strong_enough, what_it_brings
-from stayput.rooms.steps import (
-    COST_CLASSES,
+from stayput.rooms.purchases import (
     MARGIN,
     QUANTILE,
-    SETS,
     DeviceForces,
     Purchase,
     purchases_of,
     quantile_of,
     unbreakable,
 )
+from stayput.rooms.step_words import changes_nothing, checks, not_strong_enough, what_it_brings
+from stayput.rooms.steps import COST_CLASSES, SETS
 from stayput.uncertainty import USUAL
 from stayput.verification.changes import Change, with_changes
 from stayput.verification.contest import Contest

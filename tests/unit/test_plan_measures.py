@@ -24,8 +24,9 @@ from stayput.measures import Belt, LBracket
 from stayput.measures.fixing import STUD_PITCH
 from stayput.measures.wall import most_on_studs
 from stayput.report.room.card import plan_html
+from stayput.rooms.purchases import Purchase
 from stayput.rooms.step_words import where
-from stayput.rooms.steps import SETS, Home, Purchase
+from stayput.rooms.steps import SETS, Home
 from stayput.simulation.placing import placed
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ import pytest
 import stayput as sp
 from stayput.measures import LBracket
 from stayput.montecarlo.counting import SLIDE_LIMIT
-from stayput.rooms.steps import quantile_of, unbreakable
+from stayput.rooms.purchases import quantile_of, unbreakable
 from stayput.uncertainty import USUAL
 from stayput.verification.changes import Change, with_changes
 from stayput.verification.contest import Contest

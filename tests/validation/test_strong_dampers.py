@@ -12,7 +12,7 @@ from in_space import G, energy
 import stayput as sp
 from stayput.measures import LBracket
 from stayput.montecarlo.counting import SLIDE_LIMIT
-from stayput.rooms.steps import purchases_of
+from stayput.rooms.purchases import purchases_of
 from stayput.verification.changes import Change, with_changes
 from stayput.verification.contest import Contest
 

@@ -22,6 +22,7 @@ from stayput.montecarlo.counting import OVERTURNED
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class
 from stayput.progress import tally
 from stayput.rooms.decisions import Decisions, decisions_of
+from stayput.rooms.purchases import Purchase, in_number, purchases_of
 from stayput.rooms.step_words import why_not
 from stayput.rooms.steps import (
     ALIKE,
@@ -31,14 +32,11 @@ from stayput.rooms.steps import (
     Fix,
     Home,
     PlanStep,
-    Purchase,
     Trial,
     for_people,
     frees,
-    in_number,
     in_order_of_gain,
     merit,
-    purchases_of,
 )
 from stayput.simulation.groups import groups_at_first
 from stayput.simulation.placing import placed

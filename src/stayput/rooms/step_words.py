@@ -21,7 +21,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
     from stayput.fragility.probabilities import Probability
-    from stayput.rooms.steps import NotTaken, Purchase, Trial
+    from stayput.rooms.purchases import Purchase
+    from stayput.rooms.steps import NotTaken, Trial
     from stayput.verification.verdict import OptionVerdict
 
 KILOGRAM = 9.80665

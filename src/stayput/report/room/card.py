@@ -16,6 +16,7 @@ from stayput.report.page import framed, rendered, write_page
 from stayput.report.room.elevation import SIZES, elevation_scale, elevation_svg, plan_scale, sizes_of
 from stayput.report.room.plan import numbered_plan
 from stayput.report.room.sheet import PlanSheet
+from stayput.rooms.purchases import MARGIN, QUANTILE
 from stayput.rooms.step_words import (
     capital,
     changes_nothing,
@@ -30,7 +31,7 @@ from stayput.rooms.step_words import (
     where,
     worth_telling,
 )
-from stayput.rooms.steps import COST_BOUNDS, MARGIN, QUANTILE
+from stayput.rooms.steps import COST_BOUNDS
 from stayput.uncertainty import USUAL, Lognormal
 from stayput.verification.room_words import motion_phrase, piece_name, piece_within
 from stayput.verification.words import shaking_phrase

@@ -8,8 +8,8 @@ import stayput
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.summary import attributes, by_language, number
 from stayput.report.verdict.data import interval_data, people_data, verdict_data
+from stayput.rooms.purchases import MARGIN, QUANTILE
 from stayput.rooms.step_words import forces_asked, heading, where
-from stayput.rooms.steps import MARGIN, QUANTILE
 from stayput.spreadsheets import csv_text
 from stayput.verification.room_words import people_in, piece_changed, pieces_in
 

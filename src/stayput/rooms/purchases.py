@@ -1,0 +1,178 @@
+"""What to buy for a piece, and how strong.
+
+A device that gives way bears no more than its strength, and tells nothing of what it would have had to bear.
+So its peak forces are taken from runs in which it cannot fail, with the stiffness that it has.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from stayput.measures import GelMats, Measure, TensionPole
+from stayput.measures.wall import WallDevice, most_on_studs
+from stayput.simulation.placing import placed
+from stayput.uncertainty import USUAL
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from stayput.catalogue import Phrase
+    from stayput.measures import Element
+    from stayput.scenario.option import Option
+    from stayput.verification.contest import Contest
+
+QUANTILE = 0.95
+"""Share of the runs in which a device of the strength asked for is strong enough, with no margin."""
+
+MARGIN = 1.0 / float(USUAL["strength"].quantile(np.array(1.0 - QUANTILE)))
+"""What a strength is multiplied by: a product's median strength over what 95 of 100 of them reach.
+
+That is the scatter of strengths that all runs draw from; a strength that 95 % reach is what EN 1990 calls
+characteristic (4.2(3), recalled and not read again).
+"""
+
+UNBREAKABLE = 1e6
+"""Strength of a device that cannot fail [N]: the most that one may be given."""
+
+
+class DeviceForces(NamedTuple):
+    """Forces on one device [N]: away from what it is fixed to, towards it, and across."""
+
+    pull: float
+    push: float
+    shear: float
+
+    def times(self, factor: float) -> DeviceForces:
+        """Return them multiplied."""
+        return DeviceForces(*(factor * force for force in self))
+
+
+def quantile_of(devices: NDArray[np.void], elements: Sequence[Element]) -> DeviceForces:
+    """Return what the forces on one device of a kind do not exceed in `QUANTILE` of the runs, each by itself.
+
+    Parameters
+    ----------
+    devices : ndarray of DEVICE, shape (motions, samples, elements)
+        What became of them.
+    elements : sequence of Element
+        The devices, each for a number of like ones.
+    """
+    counts = np.array([element.count for element in elements])
+
+    def quantile(name: str) -> float:
+        peaks = np.sort((devices[name] / counts).max(axis=-1).ravel())
+        return float(peaks[min(len(peaks) - 1, math.ceil(QUANTILE * len(peaks)) - 1)])
+
+    return DeviceForces(*map(quantile, ("peak_pull", "peak_push", "peak_shear")))
+
+
+def unbreakable(measure: Measure) -> Measure:
+    """Return a measure that has the same stiffness and cannot fail."""
+    match measure:
+        case WallDevice():
+            return replace(measure, strength=UNBREAKABLE)
+        case TensionPole():
+            return replace(measure, strength=UNBREAKABLE)
+        case GelMats():
+            return replace(measure, tension=1e7, shear=1e7, realism=1.0)
+        case _:
+            return measure
+
+
+@dataclass(frozen=True, slots=True)
+class Purchase:
+    """A product to buy for a piece.
+
+    Parameters
+    ----------
+    measure : Measure
+        The measure, with how many there are.
+    needed : DeviceForces or None
+        What one must be rated for: its peak forces in `QUANTILE` of the runs times `MARGIN` [N]; None of what
+        bears no force of its own.
+    holds : DeviceForces or None
+        What one holds as computed, with what it is fixed to [N]; inf: any.
+    fails : Phrase or None
+        What gives way first, as a clause.
+    """
+
+    measure: Measure
+    needed: DeviceForces | None = None
+    holds: DeviceForces | None = None
+    fails: Phrase | None = None
+
+    @property
+    def count(self) -> int:
+        """How many to buy."""
+        return getattr(self.measure, "count", 1)
+
+    @property
+    def enough(self) -> bool:
+        """Whether what it is fixed to holds what is needed, as far as the computed strengths tell."""
+        return self.needed is None or self.holds is None or more_than(self.needed, self.holds) <= 1.0
+
+
+def more_than(needed: DeviceForces, holds: DeviceForces) -> float:
+    """Return the largest ratio of what is needed to what is held."""
+    return max(
+        force / strength if strength > 0.0 else 0.0 for force, strength in zip(needed, holds, strict=True)
+    )
+
+
+def purchases_of(
+    contest: Contest, option: Option, measures: tuple[Measure, ...], body: int
+) -> tuple[Purchase, ...]:
+    """Return what to buy for a piece: how strong one must be, and how strong what it is fixed to is.
+
+    Parameters
+    ----------
+    contest : Contest
+        The motions and draws.
+    option : Option
+        The room with these measures.
+    measures : tuple of Measure
+        What is put on the piece, beside what is on it already.
+    body : int
+        The piece.
+    """
+    scene = contest.scene(option)
+    held, kinds = placed(scene)[body].held, {measure.kind for measure in measures}
+    assert held is not None
+    strong = tuple(
+        unbreakable(measure.fitted_to(scene.pieces[body].body)) if measure.kind in kinds else measure
+        for measure in option.on[body]
+    )
+    on = (*option.on[:body], strong, *option.on[body + 1 :])
+    devices = contest.devices_of(replace(option, on=on), body)
+    purchases: list[Purchase] = []
+    for measure in measures:
+        like = [n for n, element in enumerate(held.elements) if element.kind == measure.kind]
+        if not like:  # it bears no force
+            purchases.append(Purchase(measure))
+            continue
+        elements = [held.elements[n] for n in like]
+        normal, tangent = (
+            elements[0].normal.shared(elements[0].count),
+            elements[0].tangent.shared(elements[0].count),
+        )
+        across = min(tangent.limit_plus, tangent.limit_minus) if tangent.stiffness > 0.0 else math.inf
+        holds = DeviceForces(normal.limit_plus, normal.limit_minus, across)
+        needed = quantile_of(devices[..., like], elements).times(MARGIN)
+        purchases.append(Purchase(measure, needed, holds, elements[0].normal.weakest))
+    return tuple(purchases)
+
+
+def in_number(purchase: Purchase, length: float) -> Measure:
+    """Return a device on a wall in the number that its fixing needs, one on each stud at most."""
+    measure = purchase.measure
+    if not isinstance(measure, WallDevice) or purchase.needed is None or purchase.holds is None:
+        return measure
+    most = max(measure.count, most_on_studs(length))
+    needed = math.ceil(measure.count * more_than(purchase.needed, purchase.holds))
+    return replace(measure, count=min(most, max(measure.count, needed)))
