@@ -26,7 +26,7 @@ from stayput.scenario import Scenario
 from stayput.scenario.toml import table_of_toml
 from stayput.spreadsheets import CSV_ENCODING
 from stayput.verification import verify
-from stayput.verification.compare import curve_levels
+from stayput.verification.compare import LEVELS
 
 if TYPE_CHECKING:
     from stayput.execution import Stop
@@ -161,7 +161,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
         def prepare() -> tuple[Scenario, list[float], int]:
             scenario = service.lone_piece(body.scene, body.measures)
             extended = with_options(scenario, body.scene, body.compare_usual)
-            levels = [float(level) for level in curve_levels(extended.dimensions) if body.curves]
+            levels = [float(level) for level in LEVELS if body.curves]
             return extended, levels, runs_of(extended, service.limits, len(levels))
 
         scenario, levels, runs = await service.workers.run(prepare)

@@ -55,23 +55,18 @@ if TYPE_CHECKING:
     from stayput.scenario.option import Option
     from stayput.verification.contents import ContentsVerdict
 
-LEVELS: NDArray[np.float64] = np.linspace(4.1, 6.95, 20)
-"""JMA intensities of the ground for the fragility curves: from 4 to 7."""
-LEVELS.setflags(write=False)
+LEVELS: NDArray[np.float64] = np.linspace(4.25, 6.95, 10)
+"""JMA intensities of the ground for the fragility curves: from 4 to 7.
 
-LEVELS_IN_SPACE: NDArray[np.float64] = LEVELS[1::3]
-"""Those of them that a verification in space takes, whose runs are longer."""
+Twice as many take the intensities at which 10 % and 50 % overturn no farther than 0.1, and 0.04 on average.
+"""
+LEVELS.setflags(write=False)
 
 FIRST_RUNS = 20
 """Runs of a scene with each option after which there is a first answer, at least."""
 
 CAPACITIES = (0.1, 0.5)
 """Shares of overturning for which the intensity is given."""
-
-
-def curve_levels(dimensions: int) -> NDArray[np.float64]:
-    """Return the levels of the curves by default, in the plane or in space."""
-    return LEVELS if dimensions == 2 else LEVELS_IN_SPACE
 
 
 def compare(
@@ -183,7 +178,7 @@ def _levels(
     Of scenes, whose runs are longer, there are none unless a measure for their curves is asked for.
     """
     if levels is None:
-        return curve_levels(scenario.dimensions) if scenario.alone or further else np.empty(0)
+        return LEVELS if scenario.alone or further else np.empty(0)
     rows = numbers("fragility.level", levels, "levels")
     if rows.ndim != 1:
         raise not_allowed("fragility.level", repr(levels), "common.list", "levels")

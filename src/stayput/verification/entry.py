@@ -86,7 +86,7 @@ def verify(
         Half-width of the 95 % interval of the probability of overturning that is enough, of a body or a case.
     levels : array_like, optional
         JMA intensities of the ground for the fragility curves, increasing; with none in it there are no
-        curves. Default `stayput.verification.LEVELS`, in space fewer; of several pieces and rooms none.
+        curves. Default `stayput.verification.LEVELS`; of several pieces and rooms none.
     intensity_measures : sequence of IntensityMeasure, optional
         What else the curves are drawn against, beside the usual measures: ``MMI`` of
         `stayput.fragility.intensity_measures`, or its ``spectral_acceleration`` at a period.
