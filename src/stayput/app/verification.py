@@ -39,8 +39,8 @@ if TYPE_CHECKING:
     from stayput.verification import Verdict
     from stayput.verification.verdict import OptionVerdict
 
-CURVE_POINTS = 96
-"""Intensities at which a curve is sent, over what was run: five from level to level."""
+CURVE_POINTS = 91
+"""Intensities at which a curve is sent, over what was run: ten from level to level."""
 
 
 def with_options(scenario: Scenario, data: dict[str, Any], compare_usual: bool) -> Scenario:

@@ -86,8 +86,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "limit_body": ("Rigid bodies in space", "三次元の剛体"),
     "limit_body_text": (
-        "The pieces do not bend, and what is inside them does not move.",
-        "家具の変形と、中身の動きは考慮しません。",
+        (
+            "Each runs alone, under all components of the motions, until it meets another, and then together with that. "
+            "The pieces do not bend, and what is inside them does not move."
+        ),
+        (
+            "地震動のすべての成分を使い、家具どうしがぶつかるまでは1つずつ、ぶつかる場合は一緒に計算します。家具の変形と、中身の動きは"
+            "考慮しません。"
+        ),
     ),
 }
 """Texts by their keys: English, Japanese."""

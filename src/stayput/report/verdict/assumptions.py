@@ -79,6 +79,7 @@ def _of_a_room(verdict: Verdict) -> list[Assumption]:
     values = {"passage": PASSAGE, "cell": 100.0 * CELL}
     measures = [measure for result in verdict.options for measure in result.option.measures]
     return [
+        _limit("several.limit_body"),
         *(_limit(f"room_report.limit_{key}", **values) for key in ("persons", "passage")),
         *(_limit(f"report.limit_{key}") for key in ("contacts", "devices")),
         *settlement_assumptions(scenario),

@@ -95,6 +95,7 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         **attributes(verdict, "motions", "samples", "runs"),
         "settled_runs": verdict.settled,
         **attributes(verdict, "seed", "precise", "seconds"),
+        "engine": "plane" if verdict.scenario.dimensions == 2 else "space",
         "grades": {grade.value: by_language(meaning) for grade, meaning in MEANINGS.items()},
         "options": [_option(result, verdict) for result in verdict.options],
         "not_possible": [
