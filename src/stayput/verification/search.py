@@ -44,6 +44,9 @@ if TYPE_CHECKING:
 TRIED = ("l_bracket", "belt", "tension_pole", "gel_mats")
 """Measures that are tried on each piece."""
 
+ALIKE = 1e-9
+"""Chances that differ by no more are equal."""
+
 SAME = 0.05
 """Distance below which another place is the one where something is already [m]."""
 
@@ -180,7 +183,10 @@ def _best_at_wall(
     missing: NDArray[np.bool_],
     ways: Ways,
 ) -> tuple[float, float] | None:
-    """Return where along a wall a piece does least harm: there it reaches what it reaches here, turned."""
+    """Return where along a wall a piece does least harm, if no more than here.
+
+    It is taken to reach there what it reaches here, turned with it.
+    """
     piece, plan = scene.pieces[body], scene.plan
     assert plan is not None
     angle = FACING[wall] - piece.heading
@@ -188,15 +194,19 @@ def _best_at_wall(
     cos, sin = math.cos(angle), math.sin(angle)
     turned = [(outline - origin) @ np.array([[cos, sin], [-sin, cos]]) for outline in outlines]
     cells = [ways.cells(place.corners) for place in plan.places]
-    best, least = None, math.inf
+
+    def risk_at(outlines: Sequence[NDArray[np.float64]]) -> float:
+        over = swept(ways, outlines)
+        hit = np.stack([over[:, at].any(axis=1) for at in cells], -1) if cells else over[:, :0]
+        return risk_of(others | hit.reshape(others.shape), plan.places, missing)
+
+    best, least = None, risk_at(outlines) + 2.0 * ALIKE  # that of the same is no more
     for middle in middles:
         if same and math.dist(middle, piece.at[:2]) < SAME:
             continue
         contest.advance(0)
-        over = swept(ways, [outline + np.array(middle) for outline in turned])
-        hit = np.stack([over[:, at].any(axis=1) for at in cells], -1) if cells else over[:, :0]
-        risk = risk_of(others | hit.reshape(others.shape), plan.places, missing)
-        if risk < least - 1e-12:
+        risk = risk_at([outline + np.array(middle) for outline in turned])
+        if risk < least - ALIKE:
             best, least = middle, risk
     return best
 
