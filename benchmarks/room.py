@@ -24,9 +24,9 @@ from stayput.montecarlo.scenes import drawn_shaking, trace_draw
 from stayput.scenario import read_scenario
 from stayput.simulation.space import results_of
 from stayput.simulation.space_engine import STEP
-from stayput.verification.changes import Change, with_changes
+from stayput.verification.changes import Change, refuse_unheld, with_changes
 from stayput.verification.contest import Contest
-from stayput.verification.search import TRIED, held_scene
+from stayput.verification.search import TRIED
 
 if TYPE_CHECKING:
     from stayput.scenario.option import Option
@@ -92,8 +92,11 @@ def held() -> Table:
         for kind in ("", *TRIED):
             changes = [Change(name, MEASURES[kind]())] if kind else []
             option = with_changes(room.stated, changes, room.names)
-            if kind and held_scene(contest, option, body) is None:
-                continue
+            if kind:
+                try:
+                    refuse_unheld(contest.scene(option), body)
+                except sp.InputError:
+                    continue
             began = time.process_time()
             usual = overturned(contest, option, body, STEP)
             spent.append(time.process_time() - began)

@@ -72,7 +72,7 @@ def test_several_pieces_are_given_up_when_their_client_leaves(
     """They would take for ever: only a run that is given up ends them."""
     begun = threading.Event()
 
-    def run(scenario: Scenario, *_: object) -> list[Run]:
+    def run(scenario: Scenario, *_: object, **__: object) -> list[Run]:
         begun.set()
         while not (found := runs_of(scenario))[0].given_up:
             pass

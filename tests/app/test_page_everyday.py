@@ -102,7 +102,7 @@ def test_the_headline_says_what_comes_out_and_how_it_is_as_people_install_it(
         assert comes_out.search(without)
         assert "As people install it" not in without
         assert comes_out.search(held)
-        assert re.search(r"As people install it, it overturns in \d", held)
+        assert re.search(r"As people install it, it overturns in (about |under |over )?\d", held)
         it.speak("ja")
         assert re.search(r"本(の.*が飛び出します|は飛び出しません)。", it.text("#also"))
         assert "実際の取付けでは" in it.text("#also")

@@ -61,13 +61,16 @@ def test_a_phone_shows_the_verdict_in_one_line_beside_the_plan(
         judge.stage = DONE
         judged(it)
         line = it.page.locator("#brief button")
-        assert it.text("#brief") == "Somebody hit: 80 % · shut in: 10 %"
+        assert it.text("#brief") == "Somebody hit: about 80 % · shut in: about 10 %"
         seen = it.box("#brief")
         assert seen["y"] + seen["height"] <= size["height"]
         judge.stage = QUEUED
         it.page.locator("#palette [data-kind=chest]").click()
         it.wait("() => document.getElementById('brief').dataset.old === 'true'")
-        assert it.text("#brief") == "Before the change: somebody hit: 80 % · shut in: 10 % · counting …"
+        assert (
+            it.text("#brief")
+            == "Before the change: somebody hit: about 80 % · shut in: about 10 % · counting …"
+        )
         assert it.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
         judge.stage = DONE
         judged(it)

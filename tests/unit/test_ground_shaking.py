@@ -37,9 +37,9 @@ from stayput.motion.ground_shaking import (
 )
 from stayput.motion.intensity import mercalli
 from stayput.report.verdict.data import verdict_data
-from stayput.report.verdict.pairs import floor_motion
 from stayput.scenario import Scenario
 from stayput.verification import verify
+from stayput.verification.replays import floor_motion
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -194,7 +194,7 @@ def test_every_option_meets_the_same_strengths_and_a_replay_has_its_own() -> Non
     floors = Hazard(ground).stated(wanted.shaking.strength, None, verdict.seed)
     assert float(np.std(np.log10(floors.scales))) == pytest.approx(0.38)
     for number in range(6):
-        assert floor_motion(verdict, ground, Member(number, 0))[1] == floors.scales[number]
+        assert floor_motion(wanted, Member(number, 0))[1] == floors.scales[number]
     assert verdict.intensity == floors.median_intensity
 
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from stayput.rooms.changes import FreeFloor, other_places, overlap, passages, places_at_walls
-from stayput.rooms.tracks import outline_of
 from test_rooms import changed
 
 from stayput.model.floor_plan import FACING
+from stayput.simulation.tracks import outline_of
+from stayput.verification.changes import FreeFloor, other_places, overlap, passages, places_at_walls
 
 
 def test_a_large_room_is_searched_in_as_many_steps_as_a_smaller_one():

@@ -11,9 +11,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 from planned_room import ROOM
-from stayput.rooms.changes import held_part, measures_for
-from stayput.rooms.runs import RoomPart
-from stayput.rooms.verify import question_of
 from test_action_plan import alone, planned, room
 from typer.testing import CliRunner
 
@@ -28,6 +25,7 @@ from stayput.rooms.purchases import Purchase
 from stayput.rooms.step_words import where
 from stayput.rooms.steps import SETS, Home
 from stayput.simulation.placing import placed
+from stayput.verification.changes import Change, measures_for, refuse_unheld, with_changes
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -73,26 +71,26 @@ def test_devices_on_the_wall_stand_where_studs_can_be(length: float, count: int,
     """In the runs as in the words: a multiple of 303 or 455 mm apart, not 0.27 m."""
     piece = {"name": "shelf", "preset": "bookcase", "length": length, "against": "left_wall", "along": 1.9}
     shelf = room(furniture=[piece])
-    question = question_of(shelf, 1)
-    tried = dict.fromkeys(measures_for(("l_bracket", "belt"), question.whole, 0))
+    tried = dict.fromkeys(measures_for(("l_bracket", "belt"), shelf.scene(), 0))
     assert {getattr(measure, "count") for measure in tried} == {min(2, most_on_studs(length))}  # noqa: B009
     for measure in (LBracket(count=count), Belt(count=count)):
-        part = held_part(shelf, question.whole, 0, [measure])
-        held = placed(part.scene)[0].held
+        scene = shelf.scene(with_changes(shelf.stated, [Change("shelf", measure)], shelf.names))
+        refuse_unheld(scene, 0)
+        held = placed(scene)[0].held
         assert held is not None
         places = [element.across for element in held.elements]
         assert len(places) == count
         assert sum(places) == pytest.approx(0.0)
         for apart in np.diff(places):
             assert min(abs(math.remainder(apart, pitch)) for pitch in STUD_PITCH) < 1e-9
-        fix: Any = SimpleNamespace(part=part, place=0, piece=part.scene.pieces[0])
+        fix: Any = SimpleNamespace(scene=scene, body=0, piece=scene.pieces[0])
         assert told in where(Purchase(measure), fix)[0]
 
 
 def test_more_devices_than_studs_are_said_to_need_a_strip():
     shelf = room(furniture=[{**ROOM["furniture"][0], "measures": [{"type": "l_bracket", "count": 4}]}])
-    part = RoomPart.of(question_of(shelf, 1).whole, (0,))
-    fix: Any = SimpleNamespace(part=part, place=0, piece=part.scene.pieces[0])
+    scene = shelf.scene()
+    fix: Any = SimpleNamespace(scene=scene, body=0, piece=scene.pieces[0])
     assert "strip of wood" in where(Purchase(LBracket(count=4)), fix)[0]
 
 

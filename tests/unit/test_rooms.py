@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -34,7 +35,7 @@ from stayput.verification.room_words import (
     pieces_in,
     place_name,
 )
-from stayput.verification.search import TRIED, held_scene
+from stayput.verification.search import TRIED, held
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -322,12 +323,13 @@ def test_a_room_is_simulated_under_a_motion_of_its_direction():
 def test_nothing_is_screwed_to_a_window_or_a_wall_too_far_away(openings: dict[str, Any], kinds: set[str]):
     room = changed(places=[], **openings)
     contest = Contest(room, SLIDE_LIMIT, 1)
-    tried = {
-        kind: with_changes(room.stated, [Change("bookcase", sp.MEASURES[kind]())], room.names)
-        for kind in TRIED
-    }
-    held = {kind for kind, option in tried.items() if held_scene(contest, option, 0) is not None}
-    assert {"l_bracket", "belt"} & held == kinds
+    possible: set[str] = set()
+    for kind in TRIED:
+        option = with_changes(room.stated, [Change("bookcase", sp.MEASURES[kind]())], room.names)
+        with suppress(sp.InputError):
+            held(contest, option, 0)
+            possible.add(kind)
+    assert {"l_bracket", "belt"} & possible == kinds
 
 
 def test_a_verdict_of_one_motion_says_so():

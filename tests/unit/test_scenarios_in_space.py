@@ -11,9 +11,9 @@ from commands import cli
 
 import stayput as sp
 from stayput.report.verdict.html import write_report
-from stayput.report.verdict.pairs import floor_motion, replay
 from stayput.scenario import Scenario
 from stayput.simulation.case import Case
+from stayput.verification.replays import drawn_run
 
 BOOKCASE = {
     "furniture": {"preset": "bookcase"},
@@ -215,9 +215,7 @@ def test_a_verdict_and_its_report(tmp_path: Path) -> None:
     assert verdict.options[0].tilt == again.options[0].tilt
     bracket = next(each for each in verdict.options if each.option.measures)
     assert [device.name for device in bracket.devices] == ["l_bracket left", "l_bracket right"]
-    ground, member = scenario.ground(), verdict.without.worst
-    motion, scale = floor_motion(verdict, ground, member)
-    replayed = replay(verdict, verdict.without.option, member, motion, scale)
+    replayed = drawn_run(scenario, verdict.without.option, verdict.without.worst)
     assert bool(replayed.overturned) == (verdict.without.probabilities["overturned"].estimate > 0.0)
     write_report(verdict, tmp_path / "verdict.html", "en")
     page = (tmp_path / "verdict.html").read_text(encoding="utf-8")

@@ -25,11 +25,6 @@ from stayput.verification.replays import drawn_run
 from stayput.verification.words import headline
 
 
-def again(verdict, option, member, ground):
-    """Run one of the runs behind a verdict again."""
-    return drawn_run(verdict.scenario, option, member)
-
-
 @pytest.fixture(scope="module", params=["en", "ja"])
 def page(request):
     verdict = verdict_cases.made()
@@ -79,8 +74,7 @@ def scenes(text):
 
 def test_the_scenes_are_the_runs_of_the_verdict(page):
     verdict, _, text = page
-    ground = verdict.scenario.shaking.ground(verdict.scenario.folder)
-    run = again(verdict, verdict.without.option, verdict.without.typical, ground)
+    run = drawn_run(verdict.scenario, verdict.without.option, verdict.without.typical)
     shown = scenes(text)
     first, held = shown[:2]
     assert len(shown) == 4
@@ -95,9 +89,8 @@ def test_the_scenes_are_the_runs_of_the_verdict(page):
 
 
 def bare_and_held(verdict):
-    ground = verdict.scenario.shaking.ground(verdict.scenario.folder)
     member = verdict.without.typical
-    return [again(verdict, one.option, member, ground) for one in (verdict.without, verdict.best)]
+    return [drawn_run(verdict.scenario, one.option, member) for one in (verdict.without, verdict.best)]
 
 
 def test_a_typical_case_tells_how_often_the_measure_fails(page):
@@ -159,14 +152,14 @@ def test_a_replay_is_the_run_that_was_counted(initial):
     ground = scenario.shaking.ground(scenario.folder)
     floors = Hazard(ground, vertical=True).stated(None, scenario.shaking.scale, verdict.seed)
     body, room = scenario.piece.body(), scenario.room.room()
-    drawn = draws(1, 3, verdict.seed)
+    drawn = draws(1, 3, scenario.uncertainty.seed)
     start = scenario.initial.state()
     rows = [
         rows_of(body, room, one.option.measures, drawn, scenario.gravity, start) for one in verdict.options
     ]
     for one, runs in zip(verdict.options, run_level(rows, floors), strict=True):
         for sample in range(3):
-            run = again(verdict, one.option, Member(0, sample), ground)
+            run = drawn_run(scenario, one.option, Member(0, sample))
             assert run.peak_tilt == runs.tilt[0, sample]
             assert run.peak_slide == runs.slide[0, sample]
             assert run.overturned == runs.overturned[0, sample]

@@ -25,7 +25,6 @@ let outcomes = {},
   flight = null,
   problem = null,
   late = null, // where the answer is long in coming, why, as the key of a sentence
-  proposing = false, // whether the room changes by what the verdict proposes
   resume = false;
 
 /** Wires the picture and its buttons. */
@@ -66,9 +65,9 @@ const shaken = (one) => `${memberOf(one)} ${room.computed(one)}`;
 export function changed() {
   const first = asked === null,
     before = asked;
-  if (!first && !proposing && shaken(room.current()) === shaken(before)) return;
+  if (!first && shaken(room.current()) === shaken(before)) return;
   asked = room.current();
-  if (!first && !proposing) {
+  if (!first) {
     const another = memberOf(asked) !== memberOf(before);
     if (another) own = room.computed(asked) === room.computed(before);
     typical = another ? null : typical;
@@ -77,10 +76,8 @@ export function changed() {
   problem = null;
   late = null;
   tell();
-  const atOnce = first || proposing;
-  proposing = false;
   if (!asked.furniture.length) soon.cancel();
-  else if (atOnce) work();
+  else if (first) work();
   else soon();
 }
 
@@ -129,7 +126,11 @@ function tell() {
 }
 
 /** What is shown: the run of the verdict that it proposes, or the room as it says itself. */
-export const played = () => ({ scene: room.current(), measures: [], sample: typical?.sample ?? null });
+export function played() {
+  const scene = room.current();
+  if (!typical) return { scene, measures: [] };
+  return { scene: { ...scene, shaking: { ...scene.shaking, member: typical.member } }, measures: [], sample: typical.sample };
+}
 
 /** Takes the newest verdict, or null; unless the reader has chosen an earthquake, its typical run is shown. */
 export function judged(result) {
@@ -138,10 +139,10 @@ export function judged(result) {
   const proposed = result?.complete ? result.typical : null,
     scene = room.current();
   if (!proposed || own || !scene.shaking?.suite || shown?.room !== asked) return;
-  if (typical?.sample === proposed.sample && memberOf(scene) === proposed.member) return;
+  if (typical?.sample === proposed.sample && typical.member === proposed.member) return;
   typical = proposed;
-  proposing = true;
-  room.adjust({ ...scene, shaking: { ...scene.shaking, member: proposed.member } });
+  flight?.abort();
+  work();
 }
 
 /** Says what happens in what is shown, beside how often that is so. */

@@ -170,7 +170,9 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
     return {
         "rank": result.rank,
         "name": result.option.name,
-        "label": in_both(partial(verdict.label, result)),
+        "label": by_language(result.option.label(scenario.names))
+        if scenario.plan is None
+        else in_both(partial(verdict.label, result)),
         "reason": in_both(partial(verdict.reason, result)),
         "grade": verdict.grade(result).value,
         "inputs": [
