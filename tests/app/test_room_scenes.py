@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from browsing import PHONE, WAIT
-from room_judge import Judge, after, chance, made, place_of, room_page
+from room_judge import Judge, after, as_sent, chance, made, place_of, room_page
 
 if TYPE_CHECKING:
     import pytest
@@ -127,7 +127,7 @@ def test_a_comparison_says_which_room_is_better_and_how_sure_that_is(
     def answered(place: int, stage: str) -> dict[str, Any]:
         if place not in kept:
             kept[place] = next(answers)
-        return {**reply(place, stage), "result": kept[place]}
+        return {**reply(place, stage), "result": as_sent(kept[place])}
 
     monkeypatch.setattr(judge, "_reply", answered)
     with room_page(browser, server, judge, size=PHONE) as it:

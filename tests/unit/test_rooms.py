@@ -374,15 +374,22 @@ def test_how_often_is_told_in_per_cent():
 @pytest.mark.parametrize("stuck", [False, True])
 def test_a_door_that_is_blocked_before_any_shaking_is_told_so(stuck):
     verdict = verified()
-    doors = tuple(replace(door, at_rest=stuck, blocked=verdict.hit) for door in verdict.doors)
-    told = replace(verdict, doors=doors)
+    people = people_in(verdict)
+    doors = tuple(replace(door, at_rest=stuck, blocked=people.hit.chance) for door in people.doors)
+    places = tuple(replace(place, shut_in_at_rest=stuck) for place in people.places)
+
+    def with_people(**changed: Any) -> Verdict:
+        bare = replace(verdict.without, people=replace(people, **changed))
+        return replace(verdict, options=(bare,))
+
+    told = with_people(doors=doors, places=places)
     assert (
         "the door is blocked already as the furniture stands, before any shaking" in told.sentence()
     ) == stuck
     assert ("so there is no way out before any shaking" in told.sentence()) == stuck
     assert ("stays blocked" in told.sentence()) != stuck
     assert ("| no way out: bed | blocked already |" in room_markdown(told)) == stuck
-    assert "before any shaking" not in replace(told, doors=()).sentence()
+    assert "before any shaking" not in with_people(doors=()).sentence()
 
 
 def test_a_verdict_of_an_earthquake_counts_the_scatter_of_its_strength():

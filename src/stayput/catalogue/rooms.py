@@ -236,8 +236,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "more_overturned": ("clearly overturns more often", "明らかに倒れやすくなる"),
     "nothing_clear": ("no clear difference", "明らかな差なし"),
     "simulations": (
-        "{runs} runs of pieces: {motions} × {samples} Monte Carlo samples, as the room is and for each change.",
-        "家具の計算{runs}回：{motions} × 不確かさの標本{samples}組を、現状と各変更について計算しました。",
+        "{runs} runs of the room: {motions} × {samples} Monte Carlo samples, as the room is and for each change.",
+        "部屋の計算{runs}回：{motions} × 不確かさの標本{samples}組を、現状と各変更について計算しました。",
     ),
 }
 """Texts by their keys: English, Japanese."""

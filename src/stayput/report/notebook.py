@@ -20,7 +20,6 @@ from stayput.report.section import draw_body_in_room
 from stayput.report.spectra import draw_spectrum, draw_suite, suite_title
 from stayput.report.summary import rows, sentence
 from stayput.report.verdict.numbers import NO_NUMBER, length, word
-from stayput.verification.words import reason, title
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
@@ -55,12 +54,12 @@ def verdict_html(verdict: Verdict) -> str:
     table = [
         (
             str(option.rank),
-            title(option.option, verdict, "en"),
+            verdict.label(option),
             *(
                 option.probabilities[event].text if event != DEVICE_FAILED or option.devices else NO_NUMBER
                 for event in events
             ),
-            reason(option, verdict, "en"),
+            verdict.reason(option),
         )
         for option in verdict.options
     ]

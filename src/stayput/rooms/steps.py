@@ -262,7 +262,7 @@ class ActionPlan:
     >>> plan = sp.action_plan(verdict, progress=False)
     >>> now, then = verdict.without.people.hit, plan.together.people.hit
     >>> now.chance.fell, then.chance.fell  # of 4 earthquakes: as it is, and after all steps
-    (2, 0)
+    (1, 0)
     """
 
     verdict: Verdict

@@ -34,12 +34,6 @@ export function replace(next) {
   tell();
 }
 
-/** Takes the room with what changes nothing of its verdict, such as which of its earthquakes is shown: no entry for undo. */
-export function adjust(next) {
-  room = next;
-  tell();
-}
-
 /** What is worked out of a room: all but which of its earthquakes is shown, and whether nothing may be drilled. */
 export const computed = ({ home, ...one }) =>
   JSON.stringify({ ...one, shaking: { ...one.shaking, member: undefined } });
