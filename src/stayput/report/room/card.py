@@ -259,7 +259,7 @@ def _lines(number: int, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
         body = plan.verdict.scenario.names.index(step.what)
         moved = step.alone.pieces[body].probabilities[OVERTURNED]
         now = moved if fix is None else fix.overturns
-        if fix is not None or now.estimate != was.estimate:
+        if fix is not None or now.share != was.share:
             sentences.append(_overturns(was, now))
     sentences += what_it_brings(number, plan)
     yield "reaches" if fix is not None and fix.too_weak else "effect", joined(sentences, "action_plan.next")
