@@ -63,7 +63,7 @@ SIZES = (
     CardSizes(2, 10.0, (0.104, 0.086), (0.075, 0.092)),
     CardSizes(4, 8.6, (0.090, 0.068), (0.070, 0.092)),
     CardSizes(6, 7.7, (0.084, 0.062), (0.060, 0.125)),
-    CardSizes(math.inf, 7.2, (0.080, 0.058), (0.060, 0.130)),
+    CardSizes(math.inf, 6.9, (0.080, 0.058), (0.060, 0.130)),
 )
 """Sizes for few blocks, and for more of them."""
 
