@@ -133,7 +133,9 @@ def compare(
         )
         verdict = so_far(here, samples)
         if search:
-            for option in tried_options(contest, options[0], here[0]):
+            tried = [*tried_options(contest, options[0], here[0])]
+            count.total += len(tried) * settings.motions * samples
+            for option in tried:
                 options = (*options, option)
                 here += contest.run([option], samples)
                 verdict = so_far(here, samples)
