@@ -162,10 +162,9 @@ class _Planner:
         self.contest, self.home, self.decisions = contest, home, decisions
         self.scenario, self.base = contest.scenario, contest.scenario.stated
         (self.runs,) = contest.run([self.base], contest.settings.samples, keep=True)
-        self.as_it_is, self.scene = (
-            option_verdict(contest, self.base, self.runs, None),
-            contest.scene(self.base),
-        )
+        self.as_it_is = option_verdict(contest, self.base, self.runs, None)
+        self.scene = contest.scene(self.base)
+        self.group_of = {body: group for group in groups_at_first(self.scene) for body in group}
         struck = np.flatnonzero(hits_in(self.runs).any(axis=(0, 1, 2))).tolist()
         self.harmful = {*struck} | harmful_pieces(contest, self.scene, self.runs)
         self.falling = falling_pieces(self.runs)
@@ -327,8 +326,7 @@ class _Planner:
 
     def _harm(self, effect: OptionVerdict, body: int) -> float:
         """Return the harm of a piece and of what stands on it or bears it [J]."""
-        group = next(group for group in groups_at_first(self.scene) if body in group)
-        return sum(effect.pieces[number].harm for number in group)
+        return sum(effect.pieces[number].harm for number in self.group_of[body])
 
     def _steadies(self, tried: Trial, body: int) -> bool:
         """Return whether a piece that overturns often does so less with measures, clearly or not."""
@@ -370,10 +368,8 @@ class _Planner:
 
         Where the studs allow it there are as many devices as what they are screwed to asks for.
         """
-        measures, moved = (
-            tried.measures,
-            tuple(move for move in moves if move.what == self.scenario.names[body]),
-        )
+        measures = tried.measures
+        moved = tuple(move for move in moves if move.what == self.scenario.names[body])
         option = self._with([*moved, *self._on(body, measures)])
         purchases = purchases_of(self.contest, option, measures, body)
         length = self.scene.pieces[body].body.length or 0.0

@@ -98,9 +98,10 @@ class Contest:
         """Return the pieces where they stand with an option."""
         known = self._scenes.get(id(option))
         if known is None:  # the option is kept with its scene, so that the id stays its own
+            scene = self.scenario.scene(option)
             if not self._scenes:
-                warn_of_settlement(self.scenario.scene(option))
-            known = self._scenes[id(option)] = option, self.scenario.scene(option)
+                warn_of_settlement(scene)
+            known = self._scenes[id(option)] = option, scene
         return known[1]
 
     def plan(self, option: Option) -> FloorPlan | None:

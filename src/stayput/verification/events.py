@@ -210,7 +210,9 @@ class Watcher:
     def ways(self, plan: FloorPlan) -> tuple[str, Ways]:
         """Return the floor of a room, and what it is known by."""
         name = repr(plan)
-        return name, self._ways.setdefault(name, Ways(plan))
+        if name not in self._ways:
+            self._ways[name] = Ways(plan)
+        return name, self._ways[name]
 
     def covered_by(self, ways: Ways, track: Track) -> NDArray[np.bool_]:
         """Return which cells of the floor a piece covers at the end of a run, shape (nx, ny)."""
