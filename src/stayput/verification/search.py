@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from contextlib import suppress
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -29,13 +30,14 @@ from stayput.verification.changes import (
 from stayput.verification.people import hardest, harm_of, hits_in, risk_of
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterator, Sequence
+    from collections.abc import Callable, Collection, Iterator, Sequence
 
     from numpy.typing import NDArray
 
     from stayput.model.floor_plan import PersonPlace
     from stayput.montecarlo.runs import Runs
     from stayput.scenario.option import Option
+    from stayput.simulation.piece import Piece
     from stayput.simulation.scene import Scene
     from stayput.simulation.tracks import Track
     from stayput.verification.contest import Contest
@@ -160,51 +162,47 @@ def moves_of(contest: Contest, scene: Scene, runs: Runs, harmful: Collection[int
         )
         if other is not None:
             yield Change(other.name, at=other.at, heading=other.heading)
+    cells = [ways.cells(place.corners) for place in plan.places]
+
+    def risk(others: NDArray[np.bool_], outlines: Sequence[NDArray[np.float64]]) -> float:
+        over = swept(ways, outlines)
+        by_piece = np.stack([over[:, at].any(axis=1) for at in cells], -1) if cells else over[:, :0]
+        return risk_of(others | by_piece.reshape(others.shape), plan.places, runs.missing)
+
     for body in sorted(loose_pieces(scenario) & set(harmful)):
         if not scenario.pieces[body].is_furniture:
             continue
-        others = np.any(np.delete(hit, body, axis=3), axis=3)
+        risk_at = partial(risk, np.any(np.delete(hit, body, axis=3), axis=3))
+        here = risk_at(outlines[body])
         for wall, middles in places_at_walls(scene, body, floor):
-            at = _best_at_wall(
-                contest, scene, body, wall, middles, outlines[body], others, runs.missing, ways
-            )
+            piece = scene.pieces[body]
+            at = _best_at_wall(piece, wall, middles, outlines[body], risk_at, here, contest.advance)
             if at is not None:
                 yield Change(scenario.names[body], at=at, heading=FACING[wall])
 
 
 def _best_at_wall(
-    contest: Contest,
-    scene: Scene,
-    body: int,
+    piece: Piece,
     wall: str,
     middles: list[tuple[float, float]],
     outlines: Sequence[NDArray[np.float64]],
-    others: NDArray[np.bool_],
-    missing: NDArray[np.bool_],
-    ways: Ways,
+    risk_at: Callable[[Sequence[NDArray[np.float64]]], float],
+    here: float,
+    advance: Callable[[int], None],
 ) -> tuple[float, float] | None:
     """Return where along a wall a piece does least harm, if no more than here.
 
     It is taken to reach there what it reaches here, turned with it.
     """
-    piece, plan = scene.pieces[body], scene.plan
-    assert plan is not None
     angle = FACING[wall] - piece.heading
     same, origin = abs(math.remainder(angle, 2.0 * math.pi)) < 1e-9, np.array(piece.at[:2])
     cos, sin = math.cos(angle), math.sin(angle)
     turned = [(outline - origin) @ np.array([[cos, sin], [-sin, cos]]) for outline in outlines]
-    cells = [ways.cells(place.corners) for place in plan.places]
-
-    def risk_at(outlines: Sequence[NDArray[np.float64]]) -> float:
-        over = swept(ways, outlines)
-        hit = np.stack([over[:, at].any(axis=1) for at in cells], -1) if cells else over[:, :0]
-        return risk_of(others | hit.reshape(others.shape), plan.places, missing)
-
-    best, least = None, risk_at(outlines) + 2.0 * ALIKE  # that of the same is no more
+    best, least = None, here + 2.0 * ALIKE  # that of the same is no more
     for middle in middles:
         if same and math.dist(middle, piece.at[:2]) < SAME:
             continue
-        contest.advance(0)
+        advance(0)
         risk = risk_at([outline + np.array(middle) for outline in turned])
         if risk < least - ALIKE:
             best, least = middle, risk
