@@ -17,16 +17,23 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Simulated in space, under all components of the motions; the piece faces {heading:.0f}° from their x.",
         "三次元で、地震動のすべての成分を使って計算しました（家具の向きはx成分から{heading:.0f}°）。",
     ),
-    "not_long": (
+    "in_space_drawn": (
+        "Simulated in space, under all components of the motions, whose x points elsewhere in plan in each run.",
+        "三次元で、地震動のすべての成分を使い、x成分の向きを毎回変えて計算しました。",
+    ),
+    "no_length": (
         (
-            "The piece is {ratio:.2g} times as long as deep and was simulated across its depth alone: below "
-            "{long:g} times it may also fall over a corner or its length, which a simulation in space takes into "
-            "account (dimensions = 3)."
+            "Simulated in the plane of the piece's depth, since its length is not stated: the shaking along it is "
+            "left out, which the devices bear too."
         ),
+        "家具の幅（length）が指定されていないため、奥行き方向だけで計算しました。幅の方向の揺れとその分の器具の負担は省いています。",
+    ),
+    "in_plane": (
         (
-            "幅が奥行きの{ratio:.2g}倍の家具を、奥行き方向だけで計算しました。{long:g}倍未満では角や幅の方向にも"
-            "倒れることがあり、三次元の計算で考慮できます。"
+            "Simulated in the plane of the piece's depth: the shaking along its length is left out, which the "
+            "devices bear too."
         ),
+        "奥行き方向だけで計算しました。幅の方向の揺れとその分の器具の負担は省いています。",
     ),
     # verification
     "needs_coulomb": ("'coulomb' for a verification", "検証では'coulomb'"),

@@ -39,6 +39,7 @@ from stayput.simulation.outcome import Outcome
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from stayput.simulation.space import Trace
     from stayput.simulation.space_engine import SpaceShaking
 
 STEP = 0.0025
@@ -122,14 +123,11 @@ class Carrier:
         if not isinstance(shaken, Shaking):
             from stayput.simulation.space import ENDS, trace_case  # SciPy takes its time to load
 
-            fine = shaken.refined(_parts(shaken.dt))
-            traced = trace_case(case, elements, fine, lies=ENDS)
-            (turn, *_), (fate, *_) = traced.turns_and_fates()
-            failed = fate.outcome is Outcome.FAILED
-            return cls.in_space(case, fine, traced.trace.place[0], turn, fate.fell, height, failed)
-        floor, parts = shaken.floor, _parts(shaken.floor.dt)
-        dt = floor.dt / parts
-        along, up = refine(floor.ax, parts), refine(floor.az, parts)
+            fine = shaken.refined(parts(shaken.dt))
+            return cls.of_trace(case, fine, trace_case(case, elements, fine, lies=ENDS), height)
+        floor, cut = shaken.floor, parts(shaken.floor.dt)
+        dt = floor.dt / cut
+        along, up = refine(floor.ax, cut), refine(floor.az, cut)
         traced = trace(case, shaking(along, up, dt, col.COULOMB), elements)
         (u_a, u_b, _, _), (v_a, v_b, _, _) = case["u"].tolist(), case["v"].tolist()
         history, outcome = traced.history, traced.result["outcome"]
@@ -145,6 +143,13 @@ class Carrier:
             overturned=bool(outcome == col.OVERTURNED_OUTCOME),
             failed=bool(outcome == col.FAILED_OUTCOME),
         )
+
+    @classmethod
+    def of_trace(cls, case: np.void, shaken: SpaceShaking, traced: Trace, height: float) -> Carrier:
+        """Return a piece that moved by itself in space; the rest as for `in_space`."""
+        (turn, *_), (fate, *_) = traced.turns_and_fates()
+        failed = fate.outcome is Outcome.FAILED
+        return cls.in_space(case, shaken, traced.trace.place[0], turn, fate.fell, height, failed)
 
     @classmethod
     def in_space(
@@ -229,7 +234,7 @@ class Carrier:
         )
 
 
-def _parts(dt: float) -> int:
+def parts(dt: float) -> int:
     """Return into how many parts a time step [s] is cut."""
     return math.ceil(dt / STEP * (1.0 - 1e-9))
 

@@ -228,8 +228,9 @@ def scenario_file_of(data: Mapping[str, object], file: Path) -> ScenarioFile:
         buildings, station = data.pop("buildings", {}), data.pop("station", None)
         data.setdefault("furniture", ANY_FURNITURE)
         scenario = Scenario.parse(data, file.parent)
-        if scenario.dimensions == 3:
+        if scenario.stated_dimensions == 3:
             raise not_allowed("dimensions", "3", "inventory.in_the_plane", "dimensions")
+        scenario = scenario.in_plane() if scenario.alone else scenario
         unused = {
             "[uncertainty] installation": "installation" in scenario.uncertainty.model_fields_set,
             "[everyday]": "everyday" in scenario.model_fields_set,

@@ -17,14 +17,22 @@ from stayput.execution import Pool
 from stayput.measures.element import utilisation
 from stayput.measures.wall import REACH
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT
-from stayput.mechanics.devices.columns import HOLDS
+from stayput.mechanics.devices.columns import DEVICE, HOLDS
 from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room
 from stayput.montecarlo.runs import Runs
-from stayput.montecarlo.sampling import AS_STATED, Draw, drawn_body, drawn_floor, drawn_place, drawn_surfaces
+from stayput.montecarlo.sampling import (
+    AS_STATED,
+    OWN,
+    Draw,
+    drawn_body,
+    drawn_floor,
+    drawn_place,
+    drawn_surfaces,
+)
 from stayput.simulation.groups import Group, groups_at_first, run_in_groups
 from stayput.simulation.placing import planes_around, room_seen
 from stayput.simulation.scene import STRENGTH_RANGE, Scene
-from stayput.simulation.space import names_of, results_of, run_of_trace, trace_groups, trace_together
+from stayput.simulation.space import ENDS, names_of, results_of, run_of_trace, trace_groups, trace_together
 from stayput.simulation.space_engine import STEP, SpaceShaking
 from stayput.uncertainty import QUANTITIES, Uncertainty, Uniform
 
@@ -35,6 +43,7 @@ if TYPE_CHECKING:
 
     from stayput.catalogue import Phrase
     from stayput.model.floor_plan import FloorPlan
+    from stayput.model.state import State
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.motion.record import Motion
     from stayput.simulation.piece import Piece
@@ -42,9 +51,6 @@ if TYPE_CHECKING:
     from stayput.simulation.space import Trace
     from stayput.simulation.tracks import Track
     from stayput.uncertainty import Marginal
-
-OWN = ("mass", "gravity_height", "back_inset", "front_inset")
-"""Quantities of `Draw` that each piece has of its own; the others are the room's."""
 
 LIKE = {"between": "friction", "joints": "strength"}
 """Quantities of several pieces that are drawn like one of `Draw`: friction between them, and joints."""
@@ -231,6 +237,8 @@ class SceneRunner:
         Called with the number of runs just done; an exception that it raises stops the work.
     watch : callable, optional
         What looks at the runs of a room with a plan.
+    initial : State, optional
+        The initial state of a lone piece; at rest by default.
     """
 
     def __init__(
@@ -243,8 +251,9 @@ class SceneRunner:
         threads: int | None = None,
         advance: Callable[[int], None] = lambda _runs: None,
         watch: Watch | None = None,
+        initial: State | None = None,
     ) -> None:
-        self._drawn, self.floors, self._gravity = drawn, floors, gravity
+        self._drawn, self.floors, self._gravity, self._initial = drawn, floors, gravity, initial
         self._counted, self.threads, self.advance, self._watch = list(counted), threads, advance, watch
         self._draws: list[list[DrawOfSeveral]] = [[] for _ in floors.motions]
         self._known: dict[tuple[int, int], dict[str, GroupRun]] = {}
@@ -259,6 +268,7 @@ class SceneRunner:
             threads=self.threads,
             advance=self.advance,
             watch=self._watch,
+            initial=self._initial,
         )
 
     def draw(self, motion: int, sample: int) -> DrawOfSeveral:
@@ -345,7 +355,10 @@ class SceneRunner:
         (part, called, key), known = of.part(group), self._known.setdefault((motion, sample), {})
         if key not in known:
             draw = self.draw(motion, sample).of(group)
-            known[key] = _group_run(trace_draw(part, draw, shaking, self._gravity, called), shaking)
+            # of pieces that nothing can reach only what becomes of them is asked: it ends where all lie
+            lies = ENDS if len(of.at_first) == 1 and self._watch is None else math.inf
+            traced = trace_draw(part, draw, shaking, self._gravity, called, self._initial, lies)
+            known[key] = _group_run(traced, shaking)
         return known[key]
 
     def _members(
@@ -410,19 +423,31 @@ def trace_draw(
     shaking: SpaceShaking,
     gravity: float,
     names: Sequence[str | Phrase] = (),
+    initial: State | None = None,
+    lies: float = math.inf,
     step: float = STEP,
 ) -> Trace:
     """Run the pieces of a scene together under one draw and its `drawn_shaking`; see `trace_together`."""
     floor = partial(drawn_floor, draw=draw.room)
-    return trace_together(drawn_scene(scene, draw), shaking, gravity, step, draw.room.strength, floor, names)
+    drawn = drawn_scene(scene, draw)
+    return trace_together(
+        drawn, shaking, gravity, step, draw.room.strength, floor, names, initial=initial, lies=lies
+    )
 
 
-def replay(scene: Scene, draw: DrawOfSeveral, motion: Motion, scale: float, gravity: float) -> Run:
+def replay(
+    scene: Scene,
+    draw: DrawOfSeveral,
+    motion: Motion,
+    scale: float,
+    gravity: float,
+    initial: State | None = None,
+) -> Run:
     """Run a scene under one draw again, with its histories.
 
     Parameters
     ----------
-    scene, draw, gravity
+    scene, draw, gravity, initial
         As for `SceneRunner`.
     motion, scale
         The floor's motion, and the factor on it.
@@ -432,7 +457,7 @@ def replay(scene: Scene, draw: DrawOfSeveral, motion: Motion, scale: float, grav
 
     def trace(group: Group) -> Trace:
         part, called, _ = parts.part(group)
-        return trace_draw(part, draw.of(group), shaking, gravity, called)
+        return trace_draw(part, draw.of(group), shaking, gravity, called, initial)
 
     traced = trace_groups(scene, trace, shaking.dt)
     shown = motion.scaled(scale).pointing(draw.direction)
@@ -448,9 +473,9 @@ def _runs(
     keep: bool,
 ) -> Runs:
     """Return the runs of an option, by motion and by sample within it."""
-    bodies = range(len(scene.pieces))
-    results = np.zeros((*shape, len(bodies)), RESULT)
-    rows, tracks = list[Any](), np.empty((*shape, len(bodies)), object)
+    count = len(scene.pieces)
+    results = np.zeros((*shape, count), RESULT)
+    rows, tracks = list[Any](), np.empty((*shape, count), object)
     for place, (groups, _) in zip(np.ndindex(*shape), members, strict=True):
         of_pieces, of_joints = dict[int, Any](), dict[int, Any]()
         for group, ran in groups.items():
@@ -462,10 +487,13 @@ def _runs(
                 n: (ran.devices[-1][0][k : k + 1], ran.devices[-1][1][k : k + 1])
                 for k, n in enumerate(inside)
             }
-        rows.append([*map(of_pieces.__getitem__, bodies), *map(of_joints.__getitem__, sorted(of_joints))])
-    devices, used = (
-        np.concatenate([part[which] for row in rows for part in row]).reshape(*shape, -1) for which in (0, 1)
-    )
+        rows.append([*(of_pieces[n] for n in sorted(of_pieces)), *(of_joints[n] for n in sorted(of_joints))])
+    # of a run that was not made nothing is known; its devices are as many as those of the others
+    made = [[np.concatenate(columns) for columns in zip(*row, strict=True)] for row in rows if row]
+    none: list[Any] = [np.zeros(0, DEVICE), np.zeros(0)]
+    none, each = [np.zeros_like(column) for column in made[0]] if made else none, iter(made)
+    by_run = [next(each) if row else none for row in rows]
+    devices, used = (np.stack([run[which] for run in by_run]).reshape(*shape, -1) for which in (0, 1))
     seen = [seen for _, seen in members if seen is not None]
     watched = [np.array(column).reshape(*shape, *np.shape(column[0])) for column in zip(*seen, strict=True)]
     counted_results = results[..., counted]

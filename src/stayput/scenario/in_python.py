@@ -118,6 +118,7 @@ def scenario_of_case(
         "initial": asdict(case.initial),
         "gravity": case.gravity,
         "dimensions": 3 if case.in_space else 2,
+        "direction": 0.0,
     }
     further = named_sets(() if measures is None else measures)
     sets = {named.name: named.measures for named in (*in_place, *further)}

@@ -22,7 +22,7 @@ from stayput.scenario.scene import SceneTables
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import ContentsTable, EverydayTable, Heading, InitialTable
 from stayput.scenario.toml import read_toml
-from stayput.simulation.case import Case, simulate
+from stayput.simulation.case import Case, moves_in_space, simulate
 from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
@@ -75,8 +75,8 @@ class Scenario(SceneTables):
     stated_dimensions: Annotated[int, between(2, 3)] | None = Field(
         default=None,
         alias="dimensions",
-        description="2: in the plane of the piece's depth, under the component along it, by default for a "
-        "lone piece; 3: in space, under all components, as several pieces always are.",
+        description="2: a lone piece in the plane of its depth, under the component along it, by default "
+        "where nothing shakes it across; 3: in space, under all components, as several pieces always are.",
     )
     initial: InitialTable = Field(default_factory=InitialTable, description="The initial state.")
     everyday: EverydayTable = Field(
@@ -113,9 +113,10 @@ class Scenario(SceneTables):
     def _check_lone_piece(self) -> None:
         for key in filter(self.piece.says, ("at", "along", "gap", "measures")):
             raise InputError("common.left_out", f"furniture.{key}", where=phrase("scenario.of_pieces"))
-        if self.dimensions == 2:
+        no_depth = self.piece.body().length is None
+        if self.stated_dimensions == 2 or (self.stated_dimensions is None and no_depth):
             self.room.room().refuse_side_walls()
-        elif self.piece.body().length is None:
+        elif no_depth:
             raise no_length("furniture.length")
         if self.contents is not None:
             emptied(self.piece.body(), self.contents)
@@ -138,13 +139,51 @@ class Scenario(SceneTables):
 
     @property
     def dimensions(self) -> int:
-        """2 where a lone piece is run in the plane, 3 in space."""
-        return self.stated_dimensions or (2 if self.alone else 3)
+        """2 where a lone piece is run in the plane, 3 in space: as stated, or as it moves.
+
+        Raises
+        ------
+        InputError
+            A record cannot be read.
+        """
+        if self.stated_dimensions is not None or not self.alone:
+            return self.stated_dimensions or 3
+        body = self.piece.body()
+        across = body.length is not None and self.shakes_across
+        return 3 if moves_in_space(body, self.room.room(), across=across) else 2
+
+    @property
+    def shakes_across(self) -> bool:
+        """Whether any of the motions of the ground has two horizontal components."""
+        if self._across is None or self._across[0] is not self.shaking:  # records are read from their files
+            self._across = self.shaking, any(motion.y is not None for motion in self.ground())
+        return self._across[1]
+
+    _across: tuple[ShakingTable, bool] | None = PrivateAttr(default=None)
+
+    @property
+    def points(self) -> float | None:
+        """Where x of its `ground` points in plan [rad]; None where a verification draws it.
+
+        What is stated turns the motions of a lone piece. One component alone acts along x: the depth of a
+        lone piece.
+        """
+        if self.direction is not None:
+            return 0.0 if self.alone else self.direction
+        return None if self.plan is not None or self.shakes_across else 0.0
+
+    def in_plane(self) -> Self:
+        """Return the same of a lone piece in the plane: a draft, or for many pieces."""
+        return self.model_copy(update={"stated_dimensions": 2})
 
     @property
     def samples(self) -> int:
         """Most samples of each set of measures, or runs of a room."""
-        return self.uncertainty.samples or (400 if self.alone else 20 if self.plan is None else 60)
+        if self.uncertainty.samples is not None:
+            return self.uncertainty.samples
+        if self.alone:
+            return 400 if self.dimensions == 2 else 60
+        return 20 if self.plan is None else 60
 
     def to_toml(self) -> str:
         """Return the scenario as a file's text; what was given in Python is named in a comment."""
@@ -276,7 +315,7 @@ class Scenario(SceneTables):
             initial=self.initial.state(),
             gravity=self.gravity,
             measures=tuple(measures),
-            dimensions=3 if self.dimensions == 3 else 2,
+            dimensions=3 if self.stated_dimensions == 3 else 2 if self.stated_dimensions == 2 else None,
         )
 
     def run(self, measures: Sequence[Measure] = ()) -> Run:

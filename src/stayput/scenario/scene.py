@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Annotated, Self
 
@@ -181,6 +182,8 @@ class SceneTables(FromFile):
             ]
             joints = self._joints() if chosen.joined else []
             friction = self.static_friction, self.kinetic_friction
+            if self.alone:  # its motions are along its axes
+                pieces = [replace(pieces[0], heading=0.0)]
             scene = Scene(pieces, self.room.room(), self._plan(), joints, friction)
             return scene.moved(chosen.moved) if chosen.moved else scene
 

@@ -17,7 +17,7 @@ from stayput.mechanics import columns as col
 from stayput.model.body import Body
 from stayput.model.flat_fields import case_columns
 from stayput.model.parameters import GRAVITY, STANDARD_GRAVITY
-from stayput.model.room import Room
+from stayput.model.room import SIDE_WALLS, Room
 from stayput.model.state import State, refuse_bad_start
 from stayput.motion.record import Motion
 from stayput.simulation.outcome import Event, EventKind, Mode, Outcome
@@ -97,8 +97,9 @@ class Case(Brief):
         """Whether it is simulated in space: as asked, else where body and motion have a third direction."""
         if self.dimensions is not None:
             return self.dimensions == 3
-        across = self.body.length is not None and self.motion.y is not None
-        return self.body.shape is not None or (across and self.contact == "coulomb")
+        if self.contact != "coulomb":
+            return self.body.shape is not None
+        return moves_in_space(self.body, self.room, across=self.motion.y is not None)
 
     def run(self, most_events: int | None = None) -> Run:
         """Simulate the case.
@@ -110,6 +111,16 @@ class Case(Brief):
         """
         arguments = {field.name: getattr(self, field.name) for field in fields(self)}
         return simulate(**arguments, most_events=most_events)
+
+
+def moves_in_space(body: Body, room: Room, *, across: bool) -> bool:
+    """Return whether a body leaves the plane of its depth: where the floor shakes across it, or walls stand.
+
+    Then it is run in space, under all components; else the plane is exact, and sees each event. A box without
+    a length has no third direction.
+    """
+    sides = any(getattr(room, name) is not None for name in SIDE_WALLS)
+    return body.shape is not None or (body.length is not None and (across or sides))
 
 
 @overload

@@ -240,6 +240,7 @@ def placed(
     strength: float = 1.0,
     drawn_floor: Callable[[Floor], Floor] = lambda floor: floor,
     names: Sequence[str | Phrase] = (),
+    initial: State | None = None,
 ) -> tuple[Placed, ...]:
     """Return the bodies of a scene with their measures in place.
 
@@ -253,6 +254,8 @@ def placed(
         Draws what measures put between a piece and the floor; the room's floor has been drawn.
     names : sequence of str
         How refusals call the pieces; by default as `Scene.called`.
+    initial : State, optional
+        The initial state of furniture; at rest by default.
 
     Raises
     ------
@@ -273,7 +276,7 @@ def placed(
             raise error.at(names[number] if names else scene.called(number)) from None
         under = _drawn(held.room.floor, room.floor, drawn_floor)
         held = replace(held, room=replace(held.room, floor=under))
-        body = placed_piece(member, held, element_rows(held, strength), number)
+        body = placed_piece(member, held, element_rows(held, strength), number, initial)
         if any((*member.tilt, *member.velocity, *member.rotation_rate)):
             tilted = replace(member, body=body.piece.body, measures=())
             body = body._replace(piece=tilted, pose=_first_pose(tilted))
@@ -293,7 +296,9 @@ def _drawn(floor: Floor, stated: Floor, drawn_floor: Callable[[Floor], Floor]) -
     return replace(floor, **{name: getattr(drawn, name) for name in changed})
 
 
-def placed_piece(piece: Piece, held: Held, elements: NDArray[np.void], number: int = 0) -> Placed:
+def placed_piece(
+    piece: Piece, held: Held, elements: NDArray[np.void], number: int = 0, initial: State | None = None
+) -> Placed:
     """Return a piece of a scene with its measures; see `held_body`.
 
     What stands higher stands on another piece, which does not give way as a soft floor does.
@@ -301,7 +306,7 @@ def placed_piece(piece: Piece, held: Held, elements: NDArray[np.void], number: i
     room = held.room
     if piece.at[2] > 0.0:
         room = replace(room, floor=replace(room.floor, settlement=0.0))
-    case = case_columns(held.body, room, State(), STANDARD_GRAVITY)[0]
+    case = case_columns(held.body, room, initial or State(), STANDARD_GRAVITY)[0]
     return held_body(case, elements, piece.at, piece.heading, number, held)
 
 

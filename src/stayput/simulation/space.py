@@ -173,6 +173,8 @@ def trace_together(
     strength: float = 1.0,
     drawn_floor: Callable[[Floor], Floor] = lambda floor: floor,
     names: Sequence[str | Phrase] = (),
+    initial: State | None = None,
+    lies: float = math.inf,
 ) -> Trace:
     """Run the pieces of a scene as one group.
 
@@ -186,12 +188,16 @@ def trace_together(
         Draws what measures put between a piece and the floor.
     names : sequence of str
         How refusals call the pieces; by default as `names_of`.
+    initial : State, optional
+        The initial state of furniture; at rest by default.
+    lies : float
+        How long all lie before the run ends [s].
     """
     called = names or names_of(scene, range(len(scene.pieces)))
-    bodies = placed(scene, strength, drawn_floor, called)
+    bodies = placed(scene, strength, drawn_floor, called, initial)
     planes = planes_around(scene.pieces, scene.around)
     joints = joint_springs([body.piece for body in bodies], scene.joints)
-    return _traced(bodies, called, planes, joints, scene.friction, shaking, gravity, step)
+    return _traced(bodies, called, planes, joints, scene.friction, shaking, gravity, step, lies)
 
 
 def trace_case(

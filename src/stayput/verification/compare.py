@@ -96,12 +96,12 @@ def compare(
         floors, settings = contest.floors, contest.settings
         estimates = Estimates.of(scenario.piece.body(), floors, scenario, threads) if scenario.alone else None
 
-        def so_far(outcomes: Sequence[Runs], samples: int, **more: Any) -> Verdict:
+        def so_far(outcomes: Sequence[Runs], samples: int, by: Contest = contest) -> Verdict:
             verdict = Verdict(
-                scenario=scenario,
+                scenario=by.scenario,
                 intensity=floors.median_intensity,
                 slide_limit=limit,
-                options=verdicts_of(contest, options, outcomes, **more),
+                options=verdicts_of(by, options, outcomes),
                 estimates=estimates,
                 motions=settings.motions,
                 samples=samples,
@@ -122,13 +122,16 @@ def compare(
         def run(_: list[int], samples: int, start: int) -> list[Runs]:
             return contest.run(options, samples, start, keep=scenario.plan is not None)
 
+        if on_verdict is not None and scenario.alone and not contest.in_plane:
+            draft, few = contest.draft(), min(settings.samples, FIRST_SAMPLES)
+            so_far(draft.run(options, few), few, draft)
         # All options go on together, since they are compared sample by sample.
         here, samples, precise = sample_until_precise(
             len(options),
             settings,
             run,
             together=True,
-            first=FIRST_SAMPLES if scenario.alone else -(-FIRST_RUNS // settings.motions),
+            first=FIRST_SAMPLES if contest.in_plane else -(-FIRST_RUNS // settings.motions),
             on_batch=None if on_verdict is None else tell,
         )
         verdict = so_far(here, samples)
@@ -153,7 +156,7 @@ def compare(
                 option.name: _as_installed(how, share, well[option.name], runs, limit)
                 for (option, how, share), runs in zip(faulty, bad_runs, strict=True)
             }
-        more["inside"] = contents_verdicts(options, scenario, floors, settings.seed, threads)
+        more["inside"] = contents_verdicts(contest, options)
         made = 0
         if len(rows):
             floors_at = cache(partial(hazard.at, threads=threads))

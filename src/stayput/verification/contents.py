@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -14,9 +14,7 @@ from stayput.contents.spill import Spill, spill_of
 from stayput.errors import InputError
 from stayput.execution import Pool
 from stayput.fragility.probabilities import Probability, probability, probability_of_counts
-from stayput.montecarlo.hazard import FloorMotions, PreparedFloor
-from stayput.montecarlo.runs import run_level
-from stayput.montecarlo.sampling import DrawTable, Rows, draws, rows_of
+from stayput.montecarlo.sampling import DrawTable, draws
 from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
@@ -26,8 +24,10 @@ if TYPE_CHECKING:
 
     from stayput.contents.contents import Contents
     from stayput.model.body import Body
-    from stayput.scenario import Scenario
+    from stayput.montecarlo.hazard import PreparedFloor
+    from stayput.montecarlo.sampling import Rows
     from stayput.scenario.option import Option
+    from stayput.verification.contest import Contest
 
 OPEN = 0.5
 """How far the drawers of the bound with open drawers are out, as a part of the depth."""
@@ -111,52 +111,39 @@ class ContentsVerdict:
     leaving: Leaving | None
 
 
-def contents_verdicts(
-    options: Sequence[Option], scenario: Scenario, floors: FloorMotions, seed: int, threads: int | None
-) -> list[ContentsVerdict | None]:
+def contents_verdicts(contest: Contest, options: Sequence[Option]) -> list[ContentsVerdict | None]:
     """Follow what is in the furniture; none of each option where the scenario says nothing of contents.
 
     Parameters
     ----------
+    contest : Contest
+        Under whose motions and draws the furniture is run.
     options : sequence of Option
         The options.
-    scenario : Scenario
-        The furniture, what is in it, and where it stands.
-    floors : FloorMotions
-        The motions at the scenario's shaking.
-    seed : int
-        Seed of the draws.
-    threads : int, optional
-        As many as there are cores by default. The bits do not depend on them.
     """
+    scenario = contest.scenario
     contents = scenario.contents
     if contents is None:
         return [None] * len(options)
-    body, stated = scenario.piece.body(), scenario.uncertainty
-    drawn = first_draws(len(floors.motions), seed, stated.as_stated, stated.quantities)
-    floors = replace(floors, motions=floors.motions[:MOTIONS], scales=floors.scales[:MOTIONS])
-
-    def rows(other: Body) -> list[Rows]:
-        stands = scenario.gravity, scenario.initial.state(), scenario.dimensions
-        return [rows_of(other, scenario.room.room(), each.measures, drawn, *stands) for each in options]
+    body = scenario.piece.body()
 
     def overturns(other: Body) -> list[Probability]:
         """Return how often another body overturns, by option."""
-        runs = run_level(rows(other), floors, threads=threads)
+        runs = contest.run_with(other, options, motions=MOTIONS)
         return [probability(outcomes.overturned, outcomes.missing) for outcomes in runs]
 
-    spilt = _followed(rows(body), body, contents, floors, threads)
+    spilt = _followed(contest, options, body, contents)
     less = overturns(emptied(body, contents))
     wide: Sequence[Probability | None] = [None] * len(options)
     if contents.drawers != "none":
         try:
             pulled_out = opened(body, contents, OPEN * body.width)
         except InputError:  # it falls as the drawers open, before anything shakes it
-            fallen = np.ones(drawn.shape, np.bool_)
+            fallen = np.ones((len(spilt[0]), 1), np.bool_)
             wide = [probability(fallen, ~fallen)] * len(options)
         else:
             wide = overturns(pulled_out)
-    return [_verdict(*parts, contents) for parts in zip(spilt, less, wide, strict=True)]
+    return [_verdict(*each, contents) for each in zip(spilt, less, wide, strict=True)]
 
 
 def runs_of_contents(contents: Contents, motions: int) -> int:
@@ -204,6 +191,10 @@ def spilt_under(
     case = rows.cases[number].copy()
     case["scale"] = floor.scales[number]
     carrier = Carrier.of(case, rows.elements[number], floor.shakings[number], body.height)
+    return _spilt_by(carrier, body, contents, leaving=leaving)
+
+
+def _spilt_by(carrier: Carrier, body: Body, contents: Contents, *, leaving: bool) -> Spill | None:
     if carrier.failed:
         return None
     return spill_of(carrier, body, contents, followed=1 if leaving and not carrier.overturned else 0)
@@ -218,18 +209,19 @@ def share_out(spilt: Sequence[Spill | None], contents: Contents) -> Probability:
 
 
 def _followed(
-    rows: Sequence[Rows], body: Body, contents: Contents, floors: FloorMotions, threads: int | None
+    contest: Contest, options: Sequence[Option], body: Body, contents: Contents
 ) -> list[list[Spill | None]]:
-    """Return what comes out of each option under each motion."""
-    floor = PreparedFloor.of(floors.motions, floors.scales, floors.dimensions)
-    spills: list[list[Spill | None]] = [[None] * len(floors.motions) for _ in rows]
+    """Return what comes out with each option under the first draw of each motion."""
+    motions = min(contest.settings.motions, MOTIONS)
+    spills: list[list[Spill | None]] = [[None] * motions for _ in options]
 
     def follow(place: int, number: int) -> tuple[int, int, Spill | None]:
-        return place, number, spilt_under(rows[place], number, floor, body, contents, leaving=True)
+        carrier = contest.carrier(options[place], number)
+        return place, number, _spilt_by(carrier, body, contents, leaving=True)
 
-    places = np.ndindex(len(rows), len(floors.motions))
-    with Pool(threads) as pool:
-        for _, (place, number, spilt) in pool.as_completed(partial(follow, *at) for at in places):
+    with Pool(contest.threads) as pool:
+        each = (partial(follow, *at) for at in np.ndindex(len(options), motions))
+        for _, (place, number, spilt) in pool.as_completed(each):
             spills[place][number] = spilt
     return spills
 

@@ -2,26 +2,32 @@
 
 from __future__ import annotations
 
+from copy import copy
+from dataclasses import fields, replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stayput.contents.carrier import Carrier, parts
 from stayput.measures import Element, hold
+from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import Falls, Runs, calm_scenes, run_level, run_levels, settled_levels
 from stayput.montecarlo.sampling import Rows, Settings, draws, rows_of
-from stayput.montecarlo.scenes import SceneRunner, draws_of_several
+from stayput.montecarlo.scenes import SceneRunner, drawn_shaking, draws_of_several, trace_draw
+from stayput.simulation.many import prepared_motion
 from stayput.simulation.placing import placed
-from stayput.simulation.space import warn_of_settlement
+from stayput.simulation.space import ENDS, warn_of_settlement
 from stayput.simulation.tracks import at_rest
 from stayput.verification.events import Watcher
-from stayput.verification.replays import drawn_direction
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from numpy.typing import NDArray
 
+    from stayput.model.body import Body
     from stayput.model.floor_plan import FloorPlan
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.scenario import Scenario
@@ -87,12 +93,33 @@ class Contest:
             threads=threads,
             advance=advance,
             watch=self.watcher,
+            initial=scenario.initial.state(),
         )
 
     def _drawn(self, samples: int, start: int) -> Any:
         scenario, settings = self.scenario, self.settings
         place = settings.motions, samples, settings.seed, start
-        return draws_of_several(scenario.names, *place, direction=drawn_direction(scenario), **self._stated)
+        return draws_of_several(scenario.names, *place, direction=scenario.points, **self._stated)
+
+    def draft(self) -> Contest:
+        """Return the same of a lone piece in the plane, under each motion's part along its depth.
+
+        A motion points there as it does in its first draw.
+        """
+        parts = [
+            replace(motion.pointing(draws[0].direction), y=None)
+            for motion, draws in zip(self.floors.motions, self._drawn(1, 0), strict=True)
+        ]
+        draft = copy(self)
+        draft.scenario = self.scenario.in_plane()
+        draft.floors = replace(self.floors, motions=tuple(parts), dimensions=2)
+        draft.advance = partial(_uncounted, self.advance)
+        return draft
+
+    @property
+    def in_plane(self) -> bool:
+        """Whether a lone piece is run in the plane."""
+        return self.scenario.dimensions == 2
 
     def scene(self, option: Option) -> Scene:
         """Return the pieces where they stand with an option."""
@@ -118,9 +145,8 @@ class Contest:
     def held_by(self, option: Option) -> HeldBy:
         """Return what holds the pieces of an option, in the order of the devices of its runs."""
         scenario = self.scenario
-        if scenario.alone:
-            body, room = scenario.piece.body(), scenario.room.room()
-            held = hold(body, room, option.measures, dimensions=scenario.dimensions)
+        if self.in_plane:
+            held = hold(scenario.piece.body(), scenario.room.room(), option.measures)
             return [(scenario.names, element) for element in held.elements]
         scene = self.scene(option)
         on_pieces = zip(scene.names, placed(scene), strict=True)
@@ -130,15 +156,21 @@ class Contest:
             *(((scene.names[joint.first], scene.names[joint.second]), None) for joint in scene.joints),
         ]
 
-    def rows(self, options: Sequence[Option], samples: int, start: int = 0) -> list[Rows]:
-        """Return the rows of options of a lone piece, for some samples of each motion."""
-        asked = tuple(options), samples, start
+    def rows(
+        self, options: Sequence[Option], samples: int, start: int = 0, body: Body | None = None
+    ) -> list[Rows]:
+        """Return the rows of options of a lone piece in the plane, for some samples of each motion.
+
+        With another ``body`` it is as empty, or as wide open, as that.
+        """
+        asked = tuple(options), samples, start, body
         if asked == self._last[0]:
             return self._last[1]
         scenario, settings = self.scenario, self.settings
-        body, room = scenario.piece.body(), scenario.room.room()
-        drawn = draws(settings.motions, samples, settings.seed, start, **self._stated)
-        stands = settings.gravity, scenario.initial.state(), scenario.dimensions
+        body, room = body or scenario.piece.body(), scenario.room.room()
+        place = settings.motions, samples, settings.seed, start
+        drawn = draws(*place, piece=scenario.names[0], **self._stated)
+        stands = settings.gravity, scenario.initial.state()
         rows = [rows_of(body, room, option.measures, drawn, *stands) for option in options]
         self._last = asked, rows
         return rows
@@ -147,11 +179,43 @@ class Contest:
         self, options: Sequence[Option], samples: int, start: int = 0, *, keep: bool = False
     ) -> list[Runs]:
         """Run options under some samples of each motion; ``keep``: with the tracks of the pieces."""
-        if self.scenario.alone:
+        if self.in_plane:
             rows = self.rows(options, samples, start)
             return run_level(rows, self.floors, threads=self.threads, progress=self.advance)
         with self.scenario.naming_keys():
             return self.runner.run([*map(self.scene, options)], samples, start, keep=keep)
+
+    def run_with(self, body: Body, options: Sequence[Option], motions: int) -> list[Outcomes]:
+        """Run options of a lone piece with another body under the first draws of the first motions."""
+        if self.in_plane:
+            runs = run_level(self.rows(options, 1, body=body), self.floors, threads=self.threads)
+        else:
+            scenes = [
+                replace(scene, pieces=[replace(piece, body=body) for piece in scene.pieces])
+                for scene in map(self.scene, options)
+            ]
+            chosen = np.tile(np.arange(self.settings.motions) < motions, (len(options), 1))
+            # by a runner of its own, since the scenes tell nothing of another body
+            runs = self.runner.under(self.floors).run(scenes, 1, chosen=chosen)
+        columns = [[getattr(each, field.name)[:motions] for field in fields(Outcomes)] for each in runs]
+        return [Outcomes(*each) for each in columns]
+
+    def carrier(self, option: Option, motion: int) -> Carrier:
+        """Return how a lone piece moves with an option under the first draw of a motion."""
+        scenario, floors, gravity = self.scenario, self.floors, self.settings.gravity
+        height, scale = scenario.piece.body().height, float(floors.scales[motion])
+        if self.in_plane:
+            (rows,) = self.rows([option], 1)
+            case = rows.cases[motion].copy()
+            case["scale"] = scale
+            return Carrier.of(case, rows.elements[motion], prepared_motion(floors.motions[motion], 2), height)
+        draw = self.runner.draw(motion, 0)
+        shaken = drawn_shaking(floors.motions[motion], scale, draw, gravity)
+        fine, scene = shaken.refined(parts(shaken.dt)), self.scene(option)
+        traced = trace_draw(scene, draw, fine, gravity, scene.names, scenario.initial.state(), ENDS)
+        case = traced.bodies[0].floor.copy()
+        case["gravity"] = gravity
+        return Carrier.of_trace(case, fine, traced, height)
 
     def devices_of(self, option: Option, body: int) -> NDArray[np.void]:
         """Return what became of what holds a piece of a scene; see `SceneRunner.devices_of`."""
@@ -169,7 +233,7 @@ class Contest:
     ) -> tuple[list[Falls], int]:
         """Return the falls with options at many levels, and how many runs were made for them."""
         shared: dict[str, Any] = {"every_run": every_run, "progress": self.advance}
-        if self.scenario.alone:
+        if self.in_plane:
             rows = self.rows(options, samples)
             return run_levels(rows, levels, floors_at, threads=self.threads, **shared)
         scenes, shape = [*map(self.scene, options)], (len(options), self.settings.motions, samples)
@@ -181,3 +245,8 @@ class Contest:
 
         with self.scenario.naming_keys():
             return settled_levels(shape, levels, floors_at, run, **shared)
+
+
+def _uncounted(advance: Callable[[int], None], _runs: int) -> None:
+    """Let who has left end the runs of a draft, which do not count."""
+    advance(0)

@@ -151,12 +151,6 @@ class Estimates:
 APART = 0.20
 """A quick estimate that is farther from the simulation than this is explained."""
 
-LONG = 1.5
-"""From so many depths of length on one component across the depth tells how a piece falls.
-
-See `studies/three_dimensions.py`.
-"""
-
 LISTED = 4
 """Most inputs that a note names."""
 
@@ -206,12 +200,14 @@ def shaken_notes(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
 
 
 def _engine(scenario: Scenario) -> Iterator[Phrase]:
-    """Yield that a piece was simulated in space, or that the plane may miss how it falls."""
+    """Yield that a piece was simulated in space, or what the plane leaves out."""
     body = scenario.piece.body()
     if scenario.dimensions == 3:
-        yield phrase("verification.in_space", heading=math.degrees(scenario.piece.heading))
-    elif body.length is not None and body.length < LONG * body.width:
-        yield phrase("verification.not_long", ratio=body.length / body.width, long=LONG)
+        drawn = scenario.points is None
+        heading = math.degrees(scenario.piece.heading - (scenario.direction or 0.0))
+        yield phrase("verification.in_space_drawn" if drawn else "verification.in_space", heading=heading)
+    elif scenario.shakes_across:
+        yield phrase("verification.no_length" if body.length is None else "verification.in_plane")
 
 
 def _field(verdict: Verdict) -> Iterator[Phrase]:

@@ -76,7 +76,7 @@ def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impo
     named, room = scenario.options, scenario.room.room()
 
     def put_in_place(option: Option) -> object:
-        if scenario.alone:
+        if scenario.dimensions == 2:
             return hold(scenario.piece.body(), room, option.measures)
         return placed(scenario.scene(option))
 

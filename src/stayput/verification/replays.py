@@ -12,7 +12,6 @@ from stayput.montecarlo.sampling import drawn_held, draws
 from stayput.montecarlo.scenes import draws_of_several, replay
 from stayput.motion.suites.suite import Suite
 from stayput.simulation.case import Case, run_of
-from stayput.simulation.space import simulate_held
 
 if TYPE_CHECKING:
     from stayput.montecarlo.counting import Member
@@ -23,14 +22,6 @@ if TYPE_CHECKING:
 
 MOST_EVENTS = 2000
 """Events of a run in the plane that its plot marks: the first ones, and the last."""
-
-
-def drawn_direction(scenario: Scenario) -> float | None:
-    """Return where the motions' x points in the plan of several pieces [rad]; None where it is drawn.
-
-    That is so in a room with a plan that does not state it; without a plan it is along x then.
-    """
-    return scenario.direction if scenario.plan is not None else scenario.direction or 0.0
 
 
 def floor_motion(scenario: Scenario, member: Member) -> tuple[Motion, float]:
@@ -66,17 +57,16 @@ def drawn_run(scenario: Scenario, option: Option, member: Member) -> Run:
     (motion, scale), stated = floor_motion(scenario, member), scenario.uncertainty
     counts, gravity = (member.motion + 1, member.sample + 1, stated.seed), scenario.gravity
     known: dict[str, Any] = {"as_stated": stated.as_stated, "quantities": stated.quantities}
-    if not scenario.alone:
-        each = draws_of_several(scenario.names, *counts, direction=drawn_direction(scenario), **known)
+    initial = scenario.initial.state()
+    if scenario.dimensions == 3:
+        each = draws_of_several(scenario.names, *counts, direction=scenario.points, **known)
         draw = each[member.motion][member.sample]
         with scenario.naming_keys():
-            return replay(scenario.scene(option), draw, motion, scale, gravity)
-    initial, scaled = scenario.initial.state(), motion.scaled(scale)
-    draw = draws(*counts, **known)[member.motion][member.sample]
+            return replay(scenario.scene(option), draw, motion, scale, gravity, initial)
+    scaled = motion.scaled(scale)
+    draw = draws(*counts, piece=scenario.names[0], **known)[member.motion][member.sample]
     body, room = scenario.piece.body(), scenario.room.room()
-    held, elements = drawn_held(body, room, option.measures, draw, scenario.dimensions)
-    if scenario.dimensions == 3:
-        return simulate_held(held, elements, scaled, initial, gravity).named(scenario.names)
+    held, elements = drawn_held(body, room, option.measures, draw)
     row = case_columns(held.body, held.room, initial, gravity)
     row["scale"] = scale
     traced = trace(row[0], shaking(motion.x, motion.z, motion.dt, 0), elements)
