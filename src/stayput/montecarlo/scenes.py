@@ -399,7 +399,7 @@ def _group_run(traced: Trace, shaking: SpaceShaking) -> GroupRun:
         rows = slice(first, None if count is None else first + count)
         devices.append((trace.devices[rows], used[rows]))
         first += count or 0
-    return GroupRun(results_of(traced, shaking.times), devices, traced.tracks(shaking.dt))
+    return GroupRun(results_of(traced, shaking.times), devices, traced.in_room().tracks(shaking.dt))
 
 
 def drawn_shaking(motion: Motion, scale: float, draw: DrawOfSeveral, gravity: float) -> SpaceShaking:
@@ -457,7 +457,7 @@ def replay(
 
     def trace(group: Group) -> Trace:
         part, called, _ = parts.part(group)
-        return trace_draw(part, draw.of(group), shaking, gravity, called, initial)
+        return trace_draw(part, draw.of(group), shaking, gravity, called, initial).in_room()
 
     traced = trace_groups(scene, trace, shaking.dt)
     shown = motion.scaled(scale).pointing(draw.direction)

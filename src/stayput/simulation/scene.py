@@ -252,6 +252,19 @@ class Scene:
         ]
         return replace(self, pieces=pieces, room=room, joints=joints)
 
+    def shifted(self, x: float, y: float) -> Scene:
+        """Return the scene in axes whose origin is at a point of the floor; its walls are those around it."""
+        pieces = [replace(piece, at=(piece.at[0] - x, piece.at[1] - y, piece.at[2])) for piece in self.pieces]
+        joints = [
+            replace(
+                joint,
+                at=(joint.at[0] - x, joint.at[1] - y, joint.at[2]),
+                to=joint.to and (joint.to[0] - x, joint.to[1] - y, joint.to[2]),
+            )
+            for joint in self.joints
+        ]
+        return replace(self, pieces=pieces, room=self.around, plan=None, joints=joints)
+
     def moved(self, moves: Iterable[tuple[str, tuple[float, float], float]]) -> Scene:
         """Return the scene with pieces and places of people elsewhere: their middles, and what they face."""
         pieces, plan = [*self.pieces], self.plan
@@ -337,7 +350,7 @@ def _around(pieces: Sequence[Piece], room: Room, plan: FloorPlan | None) -> Room
     x, y = (np.array([piece.reach(axis) for piece in pieces]) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)))
     low, high = np.array([x[:, 0].min(), y[:, 0].min()]), np.array([x[:, 1].max(), y[:, 1].max()])
     walls = {
-        name: Wall(max(0.0, distance), construction=plan.walls)
+        name: Wall(max(0.0, round(distance, 12)), construction=plan.walls)  # as of a part
         for name, distance in plan.distances(low, high).items()
     }
     return replace(room, **walls)

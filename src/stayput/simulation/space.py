@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from stayput.measures.element import device_results
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import DEVICE, NONE
 from stayput.mechanics.space.columns import ON_FLOOR, ON_ROOM
+from stayput.mechanics.space.touching import ROOM
 from stayput.model.flat_fields import case_columns
 from stayput.model.parameters import GRAVITY
 from stayput.simulation.groups import groups_at_first, joined_traces, run_in_groups
@@ -79,12 +80,16 @@ def simulate_scene(scene: Scene, motion: Motion, gravity: float, step: float | N
 
 
 class Trace(NamedTuple):
-    """Bodies as the engine ran them: bodies, room, what became of them and what holds them, and g [m/s²]."""
+    """Bodies as the engine ran them: bodies, room, what became of them and what holds them, and g [m/s²].
+
+    Places are from an origin on the floor, at x and y of the room [m].
+    """
 
     bodies: tuple[Placed, ...]
     planes: NDArray[np.void]
     trace: SpaceTrace
     gravity: float
+    origin: tuple[float, float] = (0.0, 0.0)
 
     def turns_and_fates(self) -> tuple[NDArray[np.float64], list[Fate]]:
         """Return the rotations of the bodies' frames, shape (bodies, samples, 3, 3), and their fates."""
@@ -93,8 +98,28 @@ class Trace(NamedTuple):
         return turns, fates_of(pieces, trace.place, turns, trace.gaps, trace.given_up)
 
     def tracks(self, dt: float) -> list[Track]:
-        """Return where the bodies were; see `stayput.simulation.tracks`."""
+        """Return where the bodies of a trace `in_room` were; see `stayput.simulation.tracks`."""
         return tracks_of([body.piece for body in self.bodies], self.trace, dt)
+
+    def in_room(self) -> Trace:
+        """Return the same with places from the origin of the room."""
+        x, y = self.origin
+        if x == 0.0 and y == 0.0:
+            return self
+        origin, bodies = np.array([x, y, 0.0]), list[Any]()
+        for body in self.bodies:
+            piece, pose = body.piece, body.pose.copy()
+            pose["x"] += x
+            pose["y"] += y
+            at = piece.at[0] + x, piece.at[1] + y, piece.at[2]
+            bodies.append(body._replace(piece=replace(piece, at=at), pose=pose))
+        planes, springs = self.planes.copy(), self.trace.springs.copy()
+        planes["offset"] += planes["nx"] * x + planes["ny"] * y
+        held = springs["other"] == ROOM
+        springs["ax"][held] += x
+        springs["ay"][held] += y
+        trace = self.trace._replace(place=self.trace.place + origin, springs=springs)
+        return Trace(tuple(bodies), planes, trace, self.gravity)
 
     def held(self) -> Iterator[tuple[int, Held, slice]]:
         """Yield the numbers of the pieces of furniture, their measures, and where their devices are."""
@@ -124,7 +149,8 @@ def trace_scene(scene: Scene, shaking: SpaceShaking, gravity: float, step: float
     """
 
     def run(group: Group) -> Trace:
-        return trace_together(scene.part(group), shaking, gravity, step, names=names_of(scene, group))
+        part = scene.part(group)
+        return trace_together(part, shaking, gravity, step, names=names_of(scene, group)).in_room()
 
     return trace_groups(scene, run, shaking.dt)
 
@@ -143,7 +169,7 @@ def trace_groups(scene: Scene, run: Callable[[Group], Trace], dt: float) -> Trac
     scene : Scene
         The pieces, and where they stand.
     run : callable
-        Runs a group.
+        Runs a group; returns it `Trace.in_room`.
     dt : float
         Time between the samples [s].
     """
@@ -176,7 +202,7 @@ def trace_together(
     initial: State | None = None,
     lies: float = math.inf,
 ) -> Trace:
-    """Run the pieces of a scene as one group.
+    """Run the pieces of a scene as one group, from where the first stands: its bits do not depend on that.
 
     Parameters
     ----------
@@ -194,10 +220,13 @@ def trace_together(
         How long all lie before the run ends [s].
     """
     called = names or names_of(scene, range(len(scene.pieces)))
+    x, y, _ = scene.pieces[0].at
+    scene = scene.shifted(x, y)
     bodies = placed(scene, strength, drawn_floor, called, initial)
     planes = planes_around(scene.pieces, scene.around)
     joints = joint_springs([body.piece for body in bodies], scene.joints)
-    return _traced(bodies, called, planes, joints, scene.friction, shaking, gravity, step, lies)
+    traced = _traced(bodies, called, planes, joints, scene.friction, shaking, gravity, step, lies)
+    return traced._replace(origin=(x, y))
 
 
 def trace_case(
@@ -358,7 +387,7 @@ def run_of_trace(traced: Trace, joints: Sequence[Joint], room: Room, motion: Mot
     room, motion
         Where the bodies stood, and how the floor moved.
     """
-    bodies, planes, trace, gravity = traced
+    bodies, planes, trace, gravity, _ = traced
     devices: list[DeviceResult] = []
     for number, measures, rows in traced.held():
         records = trace.springs[rows], trace.devices[rows], trace.forces[:, rows]
