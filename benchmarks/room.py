@@ -20,7 +20,8 @@ import stayput as sp
 from stayput.measures import MEASURES
 from stayput.mechanics.columns import OVERTURNED_OUTCOME
 from stayput.montecarlo.counting import SLIDE_LIMIT
-from stayput.montecarlo.scenes import drawn_shaking, trace_draw
+from stayput.montecarlo.scene_draws import drawn_shaking
+from stayput.montecarlo.scenes import trace_draw
 from stayput.scenario import read_scenario
 from stayput.simulation.space import results_of
 from stayput.simulation.space_engine import STEP

@@ -12,7 +12,7 @@ import pytest
 import stayput as sp
 from stayput.measures import LBracket
 from stayput.measures.floor import OtherFriction
-from stayput.montecarlo.scenes import draws_of_several
+from stayput.montecarlo.scene_draws import draws_of_several
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -18,7 +18,7 @@ from stayput.fragility.probabilities import probability
 from stayput.measures import LBracket
 from stayput.model.floor_plan import FACING
 from stayput.montecarlo.counting import SLIDE_LIMIT
-from stayput.montecarlo.scenes import DrawOfSeveral, drawn_shaking
+from stayput.montecarlo.scene_draws import DrawOfSeveral, drawn_shaking
 from stayput.report.room.report import room_markdown, simulations_of_room
 from stayput.report.verdict.data import verdict_data
 from stayput.simulation.groups import groups_at_first

@@ -16,7 +16,8 @@ from stayput.catalogue import say
 from stayput.model.room import SURFACES
 from stayput.model.soft_base import rigid_half_base
 from stayput.montecarlo.sampling import draws
-from stayput.montecarlo.scenes import drawn_scene, draws_of_several, replay
+from stayput.montecarlo.scene_draws import drawn_scene, draws_of_several
+from stayput.montecarlo.scenes import replay
 from stayput.report.verdict.assumptions import assumptions, settlement_assumptions
 from stayput.scenario import Scenario
 from stayput.simulation.placing import placed

@@ -15,7 +15,8 @@ from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import Falls, Runs, calm_scenes, run_level, run_levels, settled_levels
 from stayput.montecarlo.sampling import Rows, Settings, draws, rows_of
-from stayput.montecarlo.scenes import SceneRunner, drawn_shaking, draws_of_several, trace_draw
+from stayput.montecarlo.scene_draws import drawn_shaking, draws_of_several
+from stayput.montecarlo.scenes import SceneRunner, trace_draw
 from stayput.simulation.many import prepared_motion
 from stayput.simulation.placing import placed
 from stayput.simulation.space import ENDS, warn_of_settlement

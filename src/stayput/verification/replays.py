@@ -9,7 +9,8 @@ from stayput.mechanics.runner import shaking, trace
 from stayput.model.flat_fields import case_columns
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import drawn_held, draws
-from stayput.montecarlo.scenes import draws_of_several, replay
+from stayput.montecarlo.scene_draws import draws_of_several
+from stayput.montecarlo.scenes import replay
 from stayput.motion.suites.suite import Suite
 from stayput.simulation.case import Case, run_of
 
