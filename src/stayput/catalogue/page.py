@@ -60,13 +60,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "engine_plane": ("In the plane (one direction)", "平面（1方向）"),
     "engine_space": ("In space (three directions)", "三次元（3方向）"),
     "engineHint": (
-        "In the plane, only to the front and the back: quick, and right for a long piece along a wall. In space it matters for pieces about as long as deep, which may also fall over a corner or sideways, and turn; working out the chances then takes minutes.",
-        "平面では前後の揺れだけを考えます。速く、壁沿いの幅の広い家具に向いています。幅と奥行きが同じくらいの家具は、角や横の方向に倒れたり向きが変わったりするので、三次元で計算すると違いが出ます。確率の計算には数分かかります。",
-    ),
-    "heading": ("Direction in which it faces", "家具の向き"),
-    "headingHint": (
-        "Angle in plan from the earthquake's first horizontal component to its second, counterclockwise.",
-        "上から見て、地震動の第1水平成分から第2水平成分へ向かう（反時計回りの）角度です。",
+        "In space the piece is shaken from all sides, may fall over a corner or sideways, and turn; working out the chances takes a minute. In the plane it is shaken to the front and the back alone: quick, but its fastenings then bear too little.",
+        "三次元では、あらゆる向きの揺れで角や横の方向に倒れたり、向きが変わったりします。確率の計算には1分ほどかかります。平面では前後の揺れだけを考えるので速い反面、固定器具にかかる力は小さめに出ます。",
     ),
     "base": ("What bears on the floor", "床に接する部分"),
     "mass": ("Mass with its content", "中身を含む重さ"),

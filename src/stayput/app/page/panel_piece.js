@@ -47,17 +47,16 @@ export function build(presets) {
 const size = (presets, key) =>
   numberField(presets, key, { step: 0.01, hint: key === "width" ? t("widthHint") : null });
 
-/** Whether the piece is shaken in the plane of its depth or in space, and where it faces and on what it stands then. */
+/** Whether the piece is shaken in the plane of its depth or in space, and on what it stands then. */
 function engine(presets) {
   fields.engine = oneOf({
     label: t("engine"),
     hint: t("engineHint"),
-    options: ["plane", "space"].map((id) => ({ id, label: t(`engine_${id}`) })),
+    options: ["space", "plane"].map((id) => ({ id, label: t(`engine_${id}`) })),
     changed: (id) => change({ inSpace: id === "space" }),
   });
-  fields.heading = numberField(presets, "heading", { unit: "°", step: 1, hint: t("headingHint") });
   fields.base = wordField(presets, "base");
-  return [fields.engine.element, fields.heading.element, fields.base.element];
+  return [fields.engine.element, fields.base.element];
 }
 
 function centre(presets) {
@@ -158,9 +157,9 @@ export function update() {
   const scene = current();
   for (const [id, button] of Object.entries(cards))
     button.setAttribute("aria-pressed", String(id === scene.piece));
-  for (const key of ["width", "height", "length", "mass", "centre", "heading", "base"]) fields[key]?.set(scene[key]);
+  for (const key of ["width", "height", "length", "mass", "centre", "base"]) fields[key]?.set(scene[key]);
   fields.engine.set(scene.inSpace ? "space" : "plane");
-  fields.heading.element.hidden = fields.base.element.hidden = !scene.inSpace;
+  fields.base.element.hidden = !scene.inSpace;
   fields.contents.set(scene.contents);
   fields.doors.set(scene.doors);
   fields.doors.element.hidden = scene.contents === "nothing";

@@ -6,8 +6,7 @@ export const plain = {
   width: 0.3,
   length: 0.9,
   height: 1.8,
-  inSpace: false,
-  heading: 0,
+  inSpace: true,
   base: "edges",
   mass: 35,
   shelves: [33, 33, 33, 33, 33],
@@ -42,7 +41,6 @@ export const plain = {
 const REACH = {
   width: [0.15, 1.2],
   length: [0.15, 2.4],
-  heading: [-180, 180],
   height: [0.3, 2.6],
   mass: [1, 800],
   load: [0, 80],
@@ -164,7 +162,7 @@ export const throughBuilding = (s) => s.storeys > 0 && !(s.record && s.onFloor);
 /** The scene as the server's simulations read it. */
 export function forServer(s) {
   const furniture = { preset: s.piece, width: s.width, height: s.height, length: s.length, mass: s.mass };
-  if (s.inSpace) Object.assign(furniture, { heading: (s.heading * Math.PI) / 180, base: s.base });
+  if (s.inSpace) furniture.base = s.base;
   if (s.shelves) furniture.shelves = s.shelves;
   else if (s.centre !== 0.5) furniture.cg_offset = [0, (s.centre - 0.5) * s.height];
   const room = { floor: s.floor };
@@ -177,7 +175,7 @@ export function forServer(s) {
     Object.assign(shaking, { building: { storeys: s.storeys, structure: s.structure }, storey: s.storey });
   const everyday = { drawers: s.drawers, load: s.drawerLoad, pull: s.pull };
   const read = { furniture, room, shaking, everyday };
-  if (s.inSpace) read.dimensions = 3;
+  if (!s.inSpace) read.dimensions = 2;
   if (s.contents !== "nothing") read.contents = { kind: s.contents, doors: s.doors };
   if (s.installed) read.uncertainty = { installation: "as people install it" };
   return read;

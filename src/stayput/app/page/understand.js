@@ -91,8 +91,6 @@ const margins = settled(SOON, async () => {
   }
 });
 
-const inSpace = (scene) => scene.dimensions === 3;
-
 /** Marks what is shown as of the scene before, or as of this one. */
 const date = (ids, old) => ids.forEach((id) => (part(id).dataset.old = String(old)));
 const soon = settled(SETTLED, () => work());
@@ -124,7 +122,7 @@ async function work() {
     date(FIRST, false);
     base = first.result;
     displayBase();
-    const all = { ...content, compare_usual: true, curves: !inSpace(scene) };
+    const all = { ...content, compare_usual: true, curves: base.engine === "plane" };
     const job = await jobs.run(all, (running) => {
       progress(running.progress);
       if (running.result && mine === round) early(running.result);
