@@ -35,6 +35,7 @@ SCENARIO = {
     "room": {"left_wall": {"gap": 0.02, "restitution": 0.6}},
     "shaking": {"builtin": "near-fault", "intensity": 6.0},
     "measures": [{"type": "l_bracket"}],
+    "direction": 0.0,
 }
 
 

@@ -110,7 +110,7 @@ def test_a_misspelt_key_is_refused_with_the_right_one(dotted):
         ),
         ({**LEAST, "room": {"left_wall": {}}}, "^room.left_wall.gap is missing"),
         (
-            {**LEAST, "room": {"far_side_wall": {"gap": 0.1}}},
+            {**LEAST, "dimensions": 2, "room": {"far_side_wall": {"gap": 0.1}}},
             "^dimensions is 2; it must be 3 for a wall at the side, room.far_side_wall",
         ),
         ({**LEAST, "shaking": {"builtin": "near-fault", "record": "a"}}, "^shaking.builtin is given beside"),

@@ -157,4 +157,4 @@ def test_a_measure_on_the_command_line_is_a_name_of_the_file_or_a_type(file):
     assert run("--measure", "stopper and pole")["measures"] == ["wedge_stopper", "tension_pole"]
     found = run("--measure", "ballast", "--measure", "belt")
     assert found["measures"] == ["ballast", "belt"]
-    assert [device["measure"] for device in found["devices"]] == ["belt"]
+    assert [device["measure"] for device in found["devices"]] == ["belt", "belt"]

@@ -120,7 +120,7 @@ def test_side_walls_of_scenarios_and_of_the_command_line() -> None:
     printed = json.loads(run("simulate", "--body", "0.2x1.2x40", *flags, "--json"))
     # the built-in motion has a component across, and the walls stop it
     assert {"near_side_wall", "far_side_wall"} <= {hit["on"] for hit in printed["hits"]}
-    found = cli("simulate", "--set", "room.near_side_wall.gap=0.1")
+    found = cli("simulate", "--set", "room.near_side_wall.gap=0.1", "--set", "dimensions=2")
     assert found.exit_code == 2
     assert "for a wall at the side, room.near_side_wall" in found.output
 
@@ -130,7 +130,7 @@ def test_side_walls_are_refused_in_the_plane() -> None:
     case = Case(body, sp.Room(), motion)
     walled = sp.Room(far_side_wall=sp.Wall(0.1))
     attempts = (
-        lambda: sp.simulate(body, walled, motion),
+        lambda: sp.simulate(body, walled, motion, dimensions=2),
         lambda: sp.sweep(case, {"room.near_side_wall.gap": [0.1, 0.2]}),
         lambda: sp.sweep(case, {"room": [sp.Room(), walled]}),
         lambda: sp.sweep(case, {"room.far_side_wall": [None, sp.Wall(0.1)]}),
@@ -192,7 +192,8 @@ def test_the_table_of_several_pieces() -> None:
     assert f"peak of all components {peak:.2f} m/s²" in said
     assert said.count("Peak slide, rolling included") == 1  # of the vase
     assert said.count("Peak slide") == 4
-    planar = " ".join(run("simulate", "--set", "shaking.scale=0.1").split())
+    flags = "--set=shaking.scale=0.1", "--set=dimensions=2"
+    planar = " ".join(run("simulate", *flags).split())
     assert f"peak along the depth {0.1 * sp.near_fault().pga:.2f} m/s²" in planar
 
 

@@ -13,14 +13,13 @@ from html_pages import Page, check_alone, check_readable
 import stayput as sp
 from stayput.catalogue import phrase
 from stayput.montecarlo.counting import Member
-from stayput.montecarlo.hazard import Hazard
-from stayput.montecarlo.runs import run_level
-from stayput.montecarlo.sampling import draws, rows_of
 from stayput.report.verdict import svg
 from stayput.report.verdict.html import report_html, write_report
 from stayput.report.verdict.numbers import interval, probability, word
 from stayput.report.verdict.pairs import pairs_of, place_of_the_measure
 from stayput.report.verdict.tables import ranking
+from stayput.verification.contest import Contest
+from stayput.verification.options import compared_options
 from stayput.verification.replays import drawn_run
 from stayput.verification.words import headline
 
@@ -145,21 +144,15 @@ def test_where_nothing_helps_there_is_one_side():
     assert told in Page(report_html(bare)).words
 
 
+@pytest.mark.parametrize("dimensions", [2, 3])
 @pytest.mark.parametrize("initial", [{}, {"tilt": 0.03}])
-def test_a_replay_is_the_run_that_was_counted(initial):
-    verdict = verdict_cases.made({**verdict_cases.SCENARIO, "initial": initial})
-    scenario = verdict.scenario
-    ground = scenario.shaking.ground(scenario.folder)
-    floors = Hazard(ground, vertical=True).stated(None, scenario.shaking.scale, verdict.seed)
-    body, room = scenario.piece.body(), scenario.room.room()
-    drawn = draws(1, 3, scenario.uncertainty.seed)
-    start = scenario.initial.state()
-    rows = [
-        rows_of(body, room, one.option.measures, drawn, scenario.gravity, start) for one in verdict.options
-    ]
-    for one, runs in zip(verdict.options, run_level(rows, floors), strict=True):
+def test_a_replay_is_the_run_that_was_counted(initial, dimensions):
+    tables = {**verdict_cases.SCENARIO, "initial": initial, "dimensions": dimensions}
+    scenario = sp.Scenario.parse({**tables, "uncertainty": {"samples": 3}})
+    options, _ = compared_options(scenario)
+    for option, runs in zip(options[:4], Contest(scenario, 0.1, 1).run(options[:4], 3), strict=True):
         for sample in range(3):
-            run = drawn_run(scenario, one.option, Member(0, sample))
+            run = drawn_run(scenario, option, Member(0, sample))
             assert run.peak_tilt == runs.tilt[0, sample]
             assert run.peak_slide == runs.slide[0, sample]
             assert run.overturned == runs.overturned[0, sample]

@@ -73,15 +73,17 @@ def test_a_device_s_failures_and_margins_are_those_of_its_runs():
     found = verify(weak, levels=())
     belt = next(one for one in found.options if one.option.measures)
     members = [Member(m, s) for m in range(found.motions) for s in range(found.samples)]
-    results = [drawn_run(found.scenario, belt.option, member).devices[0] for member in members]
-    (told,) = belt.devices
-    times = [one.failure_time for one in results if one.failed]
-    assert 0 < len(times) < len(results)
-    assert told.failed.fell == len(times)
-    assert told.failure_time == np.median(times)
-    nowhere = np.zeros(len(results), bool)
-    assert told.used == Quantiles.of(np.array([one.utilisation for one in results]), nowhere)
-    assert told.used.p90 >= 1.0
+    runs = [drawn_run(found.scenario, belt.option, member) for member in members]
+    assert len(belt.devices) == 2
+    for number, told in enumerate(belt.devices):
+        results = [run.devices[number] for run in runs]
+        times = [one.failure_time for one in results if one.failed]
+        assert 0 < len(times) < len(results)
+        assert told.failed.fell == len(times)
+        assert told.failure_time == np.median(times)
+        nowhere = np.zeros(len(results), bool)
+        assert told.used == Quantiles.of(np.array([one.utilisation for one in results]), nowhere)
+        assert told.used.p90 >= 1.0
 
 
 def test_curves_against_every_measure_of_the_shaking(verdict):
@@ -107,6 +109,8 @@ def test_bits_do_not_depend_on_threads(verdict):
 def test_the_ranking_is_told_as_it_gets_better_and_its_bits_do_not_depend_on_that():
     asked, told = scenario(uncertainty={"samples": 30}), []
     plain, heard = verify(asked, levels=FEW), verify(asked, levels=FEW, on_verdict=told.append)
+    draft = told.pop(0)  # in the plane, with other numbers
+    assert (draft.scenario.dimensions, draft.samples, draft.scenario.piece) == (2, 4, asked.piece)
     assert [one.samples for one in told] == [4, 6]
     assert not any(one.complete or one.without.curves for one in told)
     assert heard.complete

@@ -20,6 +20,7 @@ from stayput.verification.verdict import AsInstalled
 from stayput.verification.words import reason
 
 DATA = {
+    "dimensions": 2,
     "furniture": {"preset": "bookcase"},
     "room": {"left_wall": {"gap": 0.02}},
     "shaking": {"intensity": 6.25, "suite": {"count": 4}},
@@ -40,7 +41,7 @@ def test_each_option_has_a_share_with_its_interval(verdict):
         assert 0.0 <= out.low <= out.estimate <= out.high <= 1.0
         assert (out.runs, out.motions) == (4 * 5 * 8, 4)
         assert option.contents.mass_out == pytest.approx(160.0 * out.estimate)
-    assert verdict.best.contents.out.estimate > 0.05
+    assert verdict.best.contents.out.estimate >= 0.05
     assert verdict.best.contents.rigid.estimate == 0.0
 
 

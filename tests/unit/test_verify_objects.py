@@ -82,8 +82,8 @@ def test_motions_are_taken_as_they_are():
 
 
 def test_a_case_is_compared_with_its_measures():
-    motion = sp.near_fault()
-    verdict = sp.verify(sp.Case(BODY, ROOM, motion, measures=(LBracket(),), dimensions=2), **FEW)
+    motion = sp.near_fault().component("x")
+    verdict = sp.verify(sp.Case(BODY, ROOM, motion, measures=(LBracket(),)), **FEW)
     assert {one.option.name for one in verdict.options} == {"none", "l_bracket"}
     assert chances(verdict) == chances(verified(shaking=motion))
 

@@ -159,8 +159,8 @@ class UncertaintyTable(Table):
 
     samples: Samples | None = Field(
         default=None,
-        description="Most samples of each option: by default 400 in the plane, 60 in space and of a room, 20 of "
-        "several pieces.",
+        description="Most samples of each option: by default 400 in the plane, 60 in space and of a room, "
+        "20 of several pieces.",
     )
     seed: Annotated[int, between(0, 2**53)] = Field(default=1, description="Seed of the draws.")
     precision: Annotated[float, between(0.001, 0.5)] | None = Field(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import partial
+from functools import cached_property, partial
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Self
@@ -152,14 +152,10 @@ class Scenario(SceneTables):
         across = body.length is not None and self.shakes_across
         return 3 if moves_in_space(body, self.room.room(), across=across) else 2
 
-    @property
+    @cached_property
     def shakes_across(self) -> bool:
         """Whether any of the motions of the ground has two horizontal components."""
-        if self._across is None or self._across[0] is not self.shaking:  # records are read from their files
-            self._across = self.shaking, any(motion.y is not None for motion in self.ground())
-        return self._across[1]
-
-    _across: tuple[ShakingTable, bool] | None = PrivateAttr(default=None)
+        return any(motion.y is not None for motion in self.ground())
 
     @property
     def points(self) -> float | None:
@@ -224,6 +220,7 @@ class Scenario(SceneTables):
         if quantities is not None:
             changed["uncertainty"] = self.uncertainty.with_quantities(quantities)
         copy = self.model_copy(update=changed)
+        vars(copy).pop("shakes_across", None)  # which a copy takes along
         if measures is not None:
             _refuse_same_names(measures)
             copy._own_options = tuple(measures)

@@ -291,7 +291,7 @@ def option_verdict(
         people = people_of(runs, bare, plan, masses, contest.at_rest(option))
         harm = [harm_of(hardest(runs, [n]), plan.places, runs.missing) for n in range(len(each))]
         zones = zones_of(runs, pieces, contest.watcher, plan)
-    if runs.results is not None and people is not None:
+    if runs.results is not None:
         typical = typical_of(runs)
 
     def change(of: Outcomes, without: Outcomes | None) -> Difference | None:

@@ -291,7 +291,8 @@ def _by(runs: Runs, place: int, pieces: Sequence[tuple[str, float]]) -> tuple[Hi
 def typical_of(runs: Runs) -> Member:
     """Return the run that differs least from all runs in what falls, hits, blocks and shuts in.
 
-    Each of these counts by the share of the runs that have it otherwise; of equals the first.
+    Each of these counts by the share of the runs that have it otherwise; of equals the one whose largest tilt
+    is in the middle.
     """
     assert runs.results is not None
     flags = [runs.results["outcome"] == OVERTURNED_OUTCOME]
@@ -304,4 +305,6 @@ def typical_of(runs: Runs) -> Member:
     otherwise: NDArray[np.float64] = share + happens * (1.0 - 2.0 * share)
     far: NDArray[np.float64] = otherwise.sum(axis=2)
     far[runs.missing] = np.inf
-    return Member(*divmod(int(far.argmin()), far.shape[1]))
+    alike = np.flatnonzero(far.ravel() <= far.min() + 1e-9)
+    in_order = alike[np.argsort(runs.tilt.ravel()[alike], kind="stable")]
+    return Member(*divmod(int(in_order[(len(in_order) - 1) // 2]), far.shape[1]))
