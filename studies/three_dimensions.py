@@ -1,33 +1,27 @@
-"""Verdicts of the plane beside those of space: how often they differ, and for which pieces.
+"""What the other engine would say: the plane beside space, of free and of held pieces, by size and heading.
 
-Nothing is drawn but the friction of the floor, and the same for plane and space, so that what differs between
+Nothing is drawn but the friction of the floor, and the same for both engines, so that what differs between
 them is the third dimension.
 """
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
-from stayput import Suite, synthetic_suite
+from stayput import Scenario, Suite, synthetic_suite
 from stayput.fragility.paired import difference
-from stayput.fragility.probabilities import probability
-from stayput.measures import GelMats, LBracket, TensionPole
-from stayput.model.body import Body
-from stayput.model.parameters import STANDARD_GRAVITY
-from stayput.model.room import Ceiling, Floor, Room, Wall
-from stayput.montecarlo.hazard import Hazard
-from stayput.montecarlo.runs import run_level
-from stayput.montecarlo.sampling import draws, rows_of
-from stayput.simulation.case import simulate
-from stayput.simulation.outcome import Outcome
+from stayput.measures import MEASURES
+from stayput.report.palette import INK
+from stayput.scenario.option import Option
 from stayput.uncertainty import USUAL
-from stayput.verification.notes import LONG
+from stayput.verification.contest import Contest
 from studies.study import COLOURS, Quantity, Study, panels
 
 if TYPE_CHECKING:
@@ -37,364 +31,297 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.fragility.paired import Difference
-    from stayput.measures import Measure
-    from stayput.montecarlo.hazard import FloorMotions
-    from stayput.montecarlo.sampling import DrawTable
-    from stayput.motion.record import Motion
+    from stayput.montecarlo.runs import Runs
 
 FAMILIES = ("near-fault", "crustal")
 """Earthquakes with a pulse along x, and some without direction; those of 100 to 300 s are left out."""
 
-LEVELS = {"5-upper": 5.25, "6-lower": 5.75, "6-upper": 6.25}
+LEVELS = {"6-lower": 5.75, "6-upper": 6.25}
 """Classes of intensity, and the middle at which each is run."""
 
-HEADINGS = (0.0, 30.0, 60.0, 90.0)
-"""Angles in plan from the motion's x, along which pulses are, to the depth of the piece [degrees]."""
-
-FLOORING, RUBBER = (0.40, 0.30), (0.80, 0.60)
-"""Static and kinetic friction: of wood flooring, and of rubber feet (assumed)."""
-
-ENGINES = PLANE, STRONGER, SPACE = ("plane", "stronger", "space")
-"""The plane under the component along the depth; the plane under the stronger one; space under all."""
-
-GAP, CEILING = 0.02, 2.4
-"""Distance to the wall behind, where there is one, and height of the ceiling above poles [m]."""
-
-CLASSES = {"short": "shorter than deep", "square": "square", "long": "1.5 times as long as deep, or more"}
-"""Free boxes by shape, and what they are called; those of `ROUND` are cylinders."""
-
-ROUND, LIMITED = "round", "limited"
-"""Kinds of settings beside free boxes: free cylinders, and pieces before a wall or held."""
-
 STRONGEST = "6-upper"
-"""Class of intensity of the figure."""
+"""Class of intensity of the key numbers and of the figure."""
+
+HEADINGS = (0.0, 30.0, 60.0, 90.0)
+"""Angles in plan from the depth of a piece to the motion's x, along which pulses are [degrees]."""
+
+ENGINES = PLANE, SPACE = "plane", "space"
+"""The plane under the component along the depth; space under all three."""
+
+PIECES = {
+    "short cabinet": (0.45, 0.30, 1.50, 80.0),
+    "square cabinet": (0.45, 0.45, 1.50, 80.0),
+    "long cabinet": (0.45, 0.90, 1.50, 80.0),
+    "bookcase": (0.30, 0.90, 1.80, 200.0),
+    "refrigerator": (0.65, 0.65, 1.75, 100.0),
+    "low chest": (0.45, 0.90, 0.80, 60.0),
+}
+"""Depth, length and height [m], and mass [kg] of each piece; in the plane the cabinets are all the same."""
+
+DEVICES = ("L-brackets", "belts", "tension poles", "gel mats")
+"""What holds a piece by forces; a wedge stopper only tilts it."""
+
+_KINDS = ("l_bracket", "belt", "tension_pole", "gel_mats", "wedge_stopper")
+_HELD = zip((*DEVICES, "wedge stopper"), _KINDS, strict=True)
+_FLOORING = {"static_friction": 0.40, "kinetic_friction": 0.30}
+
+ROOMS: tuple[tuple[dict[str, Any], tuple[Option, ...]], ...] = (
+    ({"floor": _FLOORING}, (Option("free"),)),
+    ({"floor": {"static_friction": 0.80, "kinetic_friction": 0.60}}, (Option("free, rubber feet"),)),
+    (
+        {"floor": _FLOORING, "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}},
+        (Option("wall alone"), *(Option(name, ((MEASURES[kind](),),)) for name, kind in _HELD)),
+    ),
+)
+"""Rooms with wood flooring, and what holds the pieces in each; the friction of rubber feet is assumed."""
+
+HOLDS = tuple(option.name for _, options in ROOMS for option in options)
+FREE, WALLED = HOLDS[:2], HOLDS[2:]
+"""What holds the pieces: nothing on two kinds of feet, and what there is before a wall."""
+
+READ = "(plane / space; differences in points with 95 % intervals; slides of those that stand in both)"
+"""How the tables are read."""
+
+
+def suite_of(motions: int) -> Suite:
+    """Return so many synthetic motions of each family."""
+    made = (motion for family in FAMILIES for motion in synthetic_suite(family, motions))
+    return Suite(tuple(made), " and ".join(FAMILIES))
+
+
+def outcomes(
+    piece: str, suite: Suite, engine: str, heading: float, intensity: float
+) -> dict[str, NDArray[np.generic]]:
+    """Return what became of a piece by an engine under motions, each with one draw of the floor's friction.
+
+    Parameters
+    ----------
+    piece : str
+        One of `PIECES`.
+    suite : Suite
+        The motions.
+    engine : str
+        One of `ENGINES`.
+    heading : float
+        Where the motions' x points in plan, from the depth of the piece [degrees].
+    intensity : float
+        JMA intensity of the ground.
+
+    Returns
+    -------
+    dict
+        Each of shape (holds, motions): whether it ``overturned``, was given up (``missing``), and whether a
+        device ``failed``; its peak ``slide`` [m], along the depth in the plane and in any direction in space;
+        and the largest utilisation of its devices, ``used``: force over strength, at least 1 where one
+        failed.
+    """
+    tables: dict[str, Any] = {
+        "furniture": dict(zip(("width", "length", "height", "mass"), PIECES[piece], strict=True)),
+        "shaking": {"intensity": intensity},
+        "direction": math.radians(heading),
+        "dimensions": 2 if engine == PLANE else 3,
+        "uncertainty": {
+            "samples": len(suite),
+            "as_stated": [name for name in USUAL if name != "friction"],
+        },
+    }
+    runs: list[Runs] = []
+    for room, options in ROOMS:
+        scenario = Scenario.parse(tables | {"room": room}).with_python(motions=suite)
+        runs += Contest(scenario, 0.1, None).run(options, 1)
+    return {
+        "overturned": np.array([each.overturned[:, 0] for each in runs]),
+        "missing": np.array([each.missing[:, 0] for each in runs]),
+        "failed": np.array([each.device_failed[:, 0] for each in runs]),
+        "slide": np.array([each.slide[:, 0] for each in runs]),
+        "used": np.array([each.used[:, 0].max(axis=-1, initial=0.0) for each in runs]),
+    }
 
 
 @dataclass(frozen=True, slots=True)
-class ShapeSetting:
-    """A piece of furniture, and how it stands.
+class Comparison:
+    """The plane beside space over some runs; pairs are plane, then space.
 
     Parameters
     ----------
-    name : str
-        What the tables call it.
-    depth, length, height : float
-        [m]; a round piece has its diameter as depth and length, and in the plane is a box of that width.
-    mass : float
-        [kg]
-    round : bool
-        Whether it is a cylinder.
-    friction : tuple of float
-        Static and kinetic, as stated.
-    wall : bool
-        Whether a wall stands behind it.
-    measures : tuple of Measure
-        What holds it; two brackets, two poles or four mats in space, one or two in the plane.
+    overturned, failed : tuple of float
+        Shares that overturn, and in which a device fails [%].
+    less : Difference
+        Probability of overturning in the plane less that in space, paired by motion.
+    median, high : tuple of float
+        Median and 90 % peak slide of the runs that stand in both [cm]; NaN where there are none.
+    used : tuple of float
+        Median utilisation.
     """
 
-    name: str
-    depth: float
-    length: float
-    height: float
-    mass: float
-    round: bool = False
-    friction: tuple[float, float] = FLOORING
-    wall: bool = False
-    measures: tuple[Measure, ...] = ()
-
-    @property
-    def body(self) -> Body:
-        """The piece as a box."""
-        return Body(self.depth, self.height, self.mass, length=self.length)
-
-    @property
-    def kind(self) -> str:
-        """A class of `CLASSES`, `ROUND` or `LIMITED`."""
-        if self.wall or self.measures:
-            return LIMITED
-        if self.round:
-            return ROUND
-        ratio = self.length / self.depth
-        return "long" if ratio >= LONG - 1e-9 else "short" if ratio < 1.0 - 1e-9 else "square"
-
-    def room(self, factor: float = 1.0) -> Room:
-        """Return the room, the friction of its floor times a factor."""
-        static, kinetic = self.friction
-        ceiling = Ceiling(CEILING) if any(isinstance(one, TensionPole) for one in self.measures) else None
-        behind = Wall(GAP) if self.wall else None
-        return Room(Floor(factor * static, factor * kinetic), left_wall=behind, ceiling=ceiling)
-
-
-def _cabinet(ratio: float, friction: tuple[float, float], wall: bool = False) -> ShapeSetting:
-    length = ratio * 0.45
-    called = "square cabinet" if ratio == 1.0 else f"cabinet 0.45 × {length:.2f}"
-    name = f"{called}{', rubber feet' if friction == RUBBER else ''}{', wall' if wall else ''}"
-    return ShapeSetting(name, 0.45, length, 1.50, 80.0, friction=friction, wall=wall)
-
-
-def _bookcase(how: str = "", *measures: Measure) -> ShapeSetting:
-    return ShapeSetting(f"bookcase{how}", 0.30, 0.90, 1.80, 200.0, wall=bool(how), measures=tuple(measures))
-
-
-CABINETS = tuple(
-    _cabinet(ratio, friction) for friction in (FLOORING, RUBBER) for ratio in (0.5, 2 / 3, 1.0, 1.5, 2.0)
-)
-"""Cabinets of all lengths on both floors."""
-
-SETTINGS = (
-    _bookcase(),
-    ShapeSetting("refrigerator", 0.65, 0.65, 1.75, 100.0),
-    ShapeSetting("refrigerator, rubber feet", 0.65, 0.65, 1.75, 100.0, friction=RUBBER),
-    ShapeSetting("low chest, rubber feet", 0.45, 0.90, 0.80, 60.0, friction=RUBBER),
-    *CABINETS,
-    ShapeSetting("gas cylinder", 0.25, 0.25, 1.40, 60.0, round=True),
-    ShapeSetting("water heater", 0.60, 0.60, 1.70, 420.0, round=True),
-    ShapeSetting("water heater, rubber feet", 0.60, 0.60, 1.70, 420.0, round=True, friction=RUBBER),
-    _cabinet(1.0, FLOORING, wall=True),
-    _bookcase(", wall"),
-    _bookcase(", wall, brackets", LBracket()),
-    _bookcase(", wall, poles", TensionPole()),
-    _bookcase(", wall, gel mats", GelMats()),
-)
-"""What is run: free pieces, then those before a wall and held ones."""
-
-
-class EngineOutcomes(NamedTuple):
-    """What became of a piece, by heading and motion.
-
-    Parameters
-    ----------
-    overturned, missing : ndarray of bool, shape (headings, motions)
-        Whether it overturned; whether the run was given up.
-    slide : ndarray, shape (headings, motions)
-        Peak slide [m]: along the depth in the plane, in any direction in space.
-    """
-
-    overturned: NDArray[np.bool_]
-    missing: NDArray[np.bool_]
-    slide: NDArray[np.float64]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Shaken:
-    """Earthquakes as pieces of all headings feel them, and the draws of the floor's friction.
-
-    Parameters
-    ----------
-    hazards : dict of str to tuple of Hazard
-        By engine, one for each heading; of `STRONGER` there is one, since it asks for no heading.
-    drawn : DrawTable
-        One draw for each motion.
-    """
-
-    hazards: dict[str, tuple[Hazard, ...]]
-    drawn: DrawTable
+    overturned: tuple[float, ...]
+    failed: tuple[float, ...]
+    less: Difference
+    median: tuple[float, ...]
+    high: tuple[float, ...]
+    used: tuple[float, ...]
 
     @classmethod
-    def of(cls, motions: int, headings: Sequence[float], seed: int) -> Shaken:
-        """Make so many motions of each family."""
-        made = [motion for family in FAMILIES for motion in synthetic_suite(family, motions, seed)]
-        turned = [Suite(tuple(m.rotated(math.radians(h)) for m in made), f"{h:g}°") for h in headings]
-        stated = [name for name in USUAL if name != "friction"]
-        hazards = {
-            PLANE: tuple(Hazard(suite) for suite in turned),
-            STRONGER: (Hazard(Suite(tuple(map(_stronger_first, made)), "stronger component")),),
-            SPACE: tuple(Hazard(suite, dimensions=3) for suite in turned),
-        }
-        return cls(hazards, draws(len(made), 1, seed, as_stated=stated))
+    def of(cls, data: xr.Dataset) -> Comparison:
+        """Compare the engines over some runs of the study's data; those given up by one do not count."""
+        ordered = data.transpose("engine", "motion", ...)
+        shape = len(ENGINES), data.sizes["motion"], -1
+        overturned, missing, failed, slide, used = (
+            ordered[name].to_numpy().reshape(shape)
+            for name in ("overturned", "missing", "failed", "slide", "used")
+        )
+        gone = missing.any(axis=0)
+        slides = 100.0 * slide[:, ~(overturned.any(axis=0) | gone)]
+        median, high = np.quantile(slides, (0.5, 0.9), axis=1) if slides.size else np.full((2, 2), math.nan)
+        return cls(
+            tuple(100.0 * overturned[:, ~gone].mean(axis=1)),
+            tuple(100.0 * failed[:, ~gone].mean(axis=1)),
+            difference(overturned[0], overturned[1], gone),
+            tuple(median),
+            tuple(high),
+            tuple(np.median(used[:, ~gone], axis=1)),
+        )
+
+    @property
+    def differing(self) -> float:
+        """Share of runs of which one engine alone says that they overturn [%]."""
+        return 100.0 * (self.less.more + self.less.fewer) / self.less.pairs
+
+    @property
+    def points(self) -> str:
+        """Plane less space with its interval in percentage points: "−12 (−20 to −3)"."""
+        ends = (round(100.0 * end) for end in (self.less.estimate, self.less.low, self.less.high))
+        return "{} ({} to {})".format(*(f"{end:+d}".replace("-", "−") if end else "0" for end in ends))
 
 
-def _stronger_first(motion: Motion) -> Motion:
-    """Return a motion turned so that the horizontal component with the larger peak velocity is its x."""
-    other = motion.rotated(0.5 * math.pi)
-    return other if other.pgv > motion.pgv else motion
+def beside(pair: tuple[float, ...], form: str = ".0f") -> str:
+    """Return a number of the plane beside that of space: "12 / 30", or nothing where there is none."""
+    return "" if math.isnan(pair[0]) else " / ".join(format(value, form) for value in pair)
 
 
-def outcomes(setting: ShapeSetting, intensity: float, shaken: Shaken) -> dict[str, EngineOutcomes]:
-    """Run a piece at a JMA intensity of the ground; return what became of it by engine."""
-    found: dict[str, EngineOutcomes] = {}
-    headings = len(shaken.hazards[SPACE])
-    for engine, hazards in shaken.hazards.items():
-        if setting.round and engine == SPACE:
-            hazards = hazards[:1]  # a round piece faces everywhere
-        by_heading = [_under(setting, each.at(intensity), shaken.drawn) for each in hazards]
-        repeats = headings // len(hazards)
-        fields = zip(*by_heading, strict=True)
-        found[engine] = EngineOutcomes(*(np.repeat(field, repeats, axis=0) for field in fields))
-    return found
-
-
-def _under(setting: ShapeSetting, floors: FloorMotions, drawn: DrawTable) -> EngineOutcomes:
-    if setting.round and floors.dimensions == 3:
-        return _round_in_space(setting, floors, drawn)
-    held = setting.body, setting.room(), setting.measures
-    (runs,) = run_level([rows_of(*held, drawn, STANDARD_GRAVITY, dimensions=floors.dimensions)], floors)
-    return EngineOutcomes(runs.overturned[:, 0], runs.missing[:, 0], runs.slide[:, 0])
-
-
-def _round_in_space(setting: ShapeSetting, floors: FloorMotions, drawn: DrawTable) -> EngineOutcomes:
-    body = Body.cylinder(setting.depth, setting.height, setting.mass)
-    factors = drawn.columns["friction"][:, 0].tolist()
-    runs = [
-        simulate(body, setting.room(factor), motion.scaled(float(scale)), dimensions=3)
-        for motion, scale, factor in zip(floors.motions, floors.scales, factors, strict=True)
-    ]
-    return EngineOutcomes(
-        np.array([run.outcome is Outcome.OVERTURNED for run in runs]),
-        np.array([run.outcome is Outcome.FAILED for run in runs]),
-        np.array([run.peak_slide for run in runs]),
-    )
-
-
-def three_dimensions(motions: int = 12, *, headings: Sequence[float] = HEADINGS, seed: int = 1) -> Study:
-    """Study how often the verdict of the plane differs from that of space, by shape, heading and device.
+def three_dimensions(motions: int = 10, *, headings: Sequence[float] = HEADINGS) -> Study:
+    """Study what the plane says beside space of free and of held pieces, by size and heading.
 
     Parameters
     ----------
     motions : int
-        Synthetic motions of each family, at least 2, scaled to the middle of each class of intensity.
+        Synthetic motions of each family, scaled to the middle of each class of intensity.
     headings : sequence of float
-        Angles in plan from the motions' x to the depth of a piece [degrees], rising.
-    seed : int
-        Seed of motions and of the floor's friction.
+        Angles in plan from the depth of a piece to the motions' x [degrees], rising.
 
     Returns
     -------
     Study
-        Data over ``setting``, ``level``, ``engine``, ``heading`` and ``motion``: whether it overturned, was
-        given up (``missing``), and the peak slide [m].
+        Data over ``piece``, ``level``, ``heading``, ``engine``, ``hold`` and ``motion``: see `outcomes`.
     """
-    shaken = Shaken.of(motions, headings, seed)
-    found = [
-        [list(outcomes(one, intensity, shaken).values()) for intensity in LEVELS.values()] for one in SETTINGS
+    suite = suite_of(motions)
+    axes: dict[str, list[Any]] = {
+        "piece": [*PIECES],
+        "level": [*LEVELS],
+        "heading": [*headings],
+        "engine": [*ENGINES],
+    }
+    runs = [
+        outcomes(piece, suite, engine, heading, LEVELS[level])
+        for piece, level, heading, engine in itertools.product(*axes.values())
     ]
-    over = ("setting", "level", "engine", "heading", "motion")
-    fields = zip(EngineOutcomes._fields, np.moveaxis(np.array(found, np.float64), 3, 0), strict=True)
-    values = {name: (over, array if name == "slide" else array > 0.0) for name, array in fields}
+    shape = (*map(len, axes.values()), len(HOLDS), len(suite))
     data = xr.Dataset(
-        values,
         {
-            "setting": [setting.name for setting in SETTINGS],
-            "kind": ("setting", [setting.kind for setting in SETTINGS]),
-            "level": list(LEVELS),
-            "engine": list(ENGINES),
-            "heading": ("heading", list(headings), {"units": "degrees"}),
-            "family": ("motion", np.repeat(FAMILIES, motions)),
+            name: ((*axes, "hold", "motion"), np.array([each[name] for each in runs]).reshape(shape))
+            for name in runs[0]
         },
+        axes | {"hold": [*HOLDS], "family": ("motion", np.repeat(FAMILIES, motions))},
     )
+    data["slide"].attrs["units"], data["heading"].attrs["units"] = "m", "degrees"
+    free, walled, strongest = data.sel(hold=[*FREE]), data.sel(hold=[*WALLED]), data.sel(level=STRONGEST)
     return Study(
         name="three_dimensions",
-        title="The plane or space",
+        title="What the other engine would say",
         quantities=_quantities(data),
         data=data,
-        figure=_drawn(data),
+        figure=_drawn(strongest),
         tables={
-            f"Overturned at {level} [%], of pieces some of which do, differences from space in percentage "
-            "points with their 95 % intervals, and median slides of those that stand in both "
-            "[cm]": overturned_table(data, level)
-            for level in ("6-upper", "6-lower")
+            f"Free pieces {READ}": table(free, "piece", "hold", "level"),
+            f"Before a wall, pieces of all sizes {READ}": table(walled, "hold", "level"),
+            f"Before a wall at {STRONGEST}, by size {READ}": table(
+                walled.sel(level=STRONGEST), "hold", "piece"
+            ),
+            f"All sizes at {STRONGEST}, by heading [°] {READ}": table(strongest, "hold", "heading"),
         },
     )
 
 
-def less_space(data: xr.Dataset, engine: str) -> Difference:
-    """Return the probability of overturning by an engine less that in space, paired by motion.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        What is to count of the study's data: runs of one motion are taken as dependent.
-    engine : str
-        One of `ENGINES`.
-    """
-    given_up = _by_motion(data, "missing", engine) | _by_motion(data, "missing", SPACE)
-    return difference(_by_motion(data, "overturned", engine), _by_motion(data, "overturned", SPACE), given_up)
-
-
-def _by_motion(data: xr.Dataset, name: str, engine: str) -> NDArray[np.bool_]:
-    """Return a quantity by an engine, shape (motions, runs of each)."""
-    part = data[name].sel(engine=engine).transpose("motion", ...)
-    return part.to_numpy().reshape(part.sizes["motion"], -1)
-
-
-def differing(data: xr.Dataset, engine: str) -> float:
-    """Return the share of runs whose overturning differs between an engine and space."""
-    return float((data["overturned"].sel(engine=engine) != data["overturned"].sel(engine=SPACE)).mean())
-
-
-def points(one: Difference) -> str:
-    """Return a difference with its interval in percentage points: "−12 (−20 to −3)"."""
-    ends = (f"{100.0 * value:+.0f}".replace("-", "−") for value in (one.estimate, one.low, one.high))
-    return "{} ({} to {})".format(*ends)
+def table(data: xr.Dataset, *by: str) -> pd.DataFrame:
+    """Return a row with what both engines say for each group of runs, by `hold` and another dimension."""
+    rows: list[dict[str, str]] = []
+    for place in itertools.product(*(data[name].to_numpy().tolist() for name in by)):
+        group = dict(zip(by, place, strict=True))
+        one = Comparison.of(data.sel({name: [value] for name, value in group.items()}))
+        row = {name: f"{value:g}" if name == "heading" else str(value) for name, value in group.items()}
+        row |= {"overturned [%]": beside(one.overturned), "plane − space": one.points}
+        row |= {"median slide [cm]": beside(one.median, ".1f"), "90 % slide [cm]": beside(one.high, ".1f")}
+        if group["hold"] in DEVICES:
+            row |= {"one fails [%]": beside(one.failed), "median utilisation": beside(one.used, ".2f")}
+        rows.append(row)
+    return pd.DataFrame(rows).fillna("")
 
 
 def _quantities(data: xr.Dataset) -> dict[str, Quantity]:
+    strongest, at = data.sel(level=STRONGEST), f"at {STRONGEST}"
+    free, walled = data.sel(hold=[*FREE]), data.sel(hold=[*WALLED])
+    slides = Comparison.of(strongest.sel(hold="free"))
     quantities = {
         "cases": Quantity("Runs of each engine", data["overturned"].size // len(ENGINES), form="d"),
         "given_up": Quantity("Runs given up, and left out", int(data["missing"].sum()), form="d"),
+        "free_differ": Quantity("Verdicts that differ, free [%]", Comparison.of(free).differing, form=".0f"),
+        "walled_differ": Quantity(
+            "Verdicts that differ, before a wall [%]", Comparison.of(walled).differing, form=".0f"
+        ),
+        "median_slide": Quantity(
+            f"Free, wood flooring: median slide {at} [cm]", beside(slides.median, ".1f")
+        ),
+        "high_slide": Quantity(f"Free, wood flooring: 90 % slide {at} [cm]", beside(slides.high, ".1f")),
     }
-    for engine, label in ((PLANE, "component along the depth"), (STRONGER, "stronger component")):
-        share = 100.0 * differing(data, engine)
-        quantities[f"{engine}_differs"] = Quantity(f"Verdicts that differ, {label} [%]", share, form=".0f")
-    for kind, label in (CLASSES | {ROUND: "cylinders"}).items():
-        of_kind = data.sel(setting=data["kind"] == kind)
-        strongest = of_kind.sel(level=STRONGEST)
-        share = 100.0 * differing(strongest, PLANE)
-        quantities[f"differ_{kind}"] = Quantity(
-            f"{label}: runs that differ at {STRONGEST} [%]", share, form=".0f"
-        )
-        for engine in (PLANE, STRONGER):
-            found = points(less_space(strongest, engine))
-            quantities[f"{kind}_{engine}"] = Quantity(
-                f"{label}: {engine} less space at {STRONGEST} [points]", found
-            )
-            cells = [
-                less_space(of_kind.isel(setting=[row], level=level), engine)
-                for row in range(of_kind.sizes["setting"])
-                for level in range(of_kind.sizes["level"])
-            ]
-            label_of = f"{label}: {engine} clearly too low, of {len(cells)} settings and levels"
-            low = sum(cell.high < 0.0 for cell in cells)
-            quantities[f"{kind}_{engine}_less"] = Quantity(label_of, low, form="d")
+    for piece, (hold, floor) in itertools.product(PIECES, zip(FREE, ("flooring", "rubber"), strict=True)):
+        points = Comparison.of(strongest.sel(piece=piece, hold=hold)).points
+        label = f"{piece}, {hold}: plane less space {at} [points]"
+        quantities[f"{_key(piece)}_{floor}"] = Quantity(label, points)
+    for hold in WALLED:
+        one, key = Comparison.of(strongest.sel(hold=hold)), _key(hold)
+        quantities[f"{key}_less"] = Quantity(f"{hold}: plane less space {at} [points]", one.points)
+        if hold in DEVICES:
+            quantities[f"{key}_fail"] = Quantity(f"{hold}: one fails {at} [%]", beside(one.failed))
+            quantities[f"{key}_used"] = Quantity(f"{hold}: median utilisation {at}", beside(one.used, ".2f"))
     return quantities
 
 
-def overturned_table(data: xr.Dataset, level: str) -> pd.DataFrame:
-    """Return a row for each setting of which some overturn at a level."""
-    rows: list[dict[str, str]] = []
-    for place, name in enumerate(data["setting"].to_numpy().tolist()):
-        part = data.isel(setting=place).sel(level=level)
-        shares = 100.0 * part["overturned"].mean(("heading", "motion"))
-        if not shares.any():
-            continue
-        row = {"piece": name}
-        row |= {engine: f"{float(shares.sel(engine=engine)):.0f}" for engine in ENGINES}
-        row["differ"] = f"{100.0 * differing(part, PLANE):.0f}"
-        row |= {f"{engine} − space": points(less_space(part, engine)) for engine in (PLANE, STRONGER)}
-        stands = ~part["overturned"].sel(engine=[PLANE, SPACE]).any("engine")
-        for engine in (PLANE, SPACE):
-            slides = 100.0 * float(part["slide"].sel(engine=engine).where(stands).median())
-            row[f"slide, {engine}"] = "" if np.isnan(slides) else f"{slides:.1f}"
-        rows.append(row)
-    return pd.DataFrame(rows)
+def _key(name: str) -> str:
+    return name.removeprefix("L-").replace(" ", "_")
 
 
 def _drawn(data: xr.Dataset) -> Figure:
-    """Draw the share of cabinets that overturns over their length in planes and space, with intervals."""
-    figure, axes = panels(2, width=5.0, sharey=True)
-    half = len(CABINETS) // 2
-    floors = {"wood flooring": CABINETS[:half], "rubber feet": CABINETS[half:]}
-    for axis, (floor, cabinets) in zip(axes, floors.items(), strict=True):
-        ratio = np.array([one.length / one.depth for one in cabinets])
-        for engine, shift, colour in zip(ENGINES, (-0.02, 0.02, 0.0), COLOURS, strict=False):
-            parts = [data.sel(setting=one.name, level=STRONGEST) for one in cabinets]
-            found = [probability(_by_motion(part, "overturned", engine)) for part in parts]
-            middle, low, high = (
-                100.0 * np.array([getattr(one, end) for one in found]) for end in ("estimate", "low", "high")
-            )
-            ends = np.stack([middle - low, high - middle])
-            axis.errorbar(ratio + shift, middle, yerr=ends, fmt="-o", color=colour, label=engine)
-        axis.set(title=floor, xlabel="length over depth", ylim=(-3.0, 103.0))
-    axes[0].set_ylabel(f"cabinets that overturn at {STRONGEST} [%]")
-    axes[0].legend()
+    """Draw over the heading: cabinets that overturn, devices that fail, and how much these are used."""
+    figure, axes = panels(2, 2, width=5.2)
+    shares, over = 100.0 * data[["overturned", "failed"]].mean("motion"), data["heading"].to_numpy()
+    fail, used = shares["failed"].mean("piece"), data["used"].median(("piece", "motion"))
+    for axis, hold in zip(axes[:2], FREE, strict=True):
+        of_hold = shares["overturned"].sel(hold=hold)
+        plane = of_hold.sel(piece="square cabinet", engine=PLANE)
+        axis.plot(over, plane, "o--", color=INK, mfc="white", label="plane, any length")
+        for name, colour in zip(list(PIECES)[:3], COLOURS, strict=False):
+            axis.plot(over, of_hold.sel(piece=name, engine=SPACE), "o-", color=colour, label=f"space, {name}")
+        axis.set(title=f"Cabinets at {STRONGEST}, {hold}", ylabel="overturned [%]")
+    for axis, values, label in zip(
+        axes[2:], (fail, used), ("one fails [%]", "median utilisation"), strict=True
+    ):
+        for (name, colour), engine in itertools.product(zip(DEVICES, COLOURS, strict=False), ENGINES):
+            line, face = ("o--", "white") if engine == PLANE else ("o-", colour)
+            curve, called = values.sel(hold=name, engine=engine), f"{engine}, {name}"
+            axis.plot(over, curve, line, color=colour, mfc=face, label=called)
+        axis.set(title=f"Devices at {STRONGEST}, all sizes", ylabel=label)
+    for axis, top in zip(axes, (100.0, 100.0, 100.0, 1.0), strict=True):
+        axis.set(xlabel="angle from the depth to the motion's x [°]", xticks=over)
+        axis.set(ylim=(-0.04 * top, 1.55 * top), yticks=np.linspace(0.0, top, 6))
+        axis.legend(fontsize=8, ncols=2, loc="upper left")
     return figure

@@ -44,8 +44,7 @@ def world(monkeypatch):
     made = []
 
     def answered(tilt):
-        def run_columns(cases, elements, motions, motion, *, dimensions, threads, on_progress):
-            assert dimensions == 2
+        def run_columns(cases, elements, motions, motion, *, threads, on_progress):
             results = np.zeros(len(cases), RESULT)
             share = tilt(cases["scale"], cases["slide_rate"])
             results["outcome"] = np.where(share >= 1.0, OVERTURNED_OUTCOME, ROCKED)

@@ -33,7 +33,7 @@ COARSE = {
     "contents": {"motion": RECORD, "intensities": [6.0]},
     "tombstones": {"motions": 4, "stones": 4},
     "interval_coverage": {"studies": 20, "motions": [8], "draws": [2], "probabilities": [0.05, 0.5]},
-    "three_dimensions": {"motions": 2, "headings": [0.0]},
+    "three_dimensions": {"motions": 1, "headings": [0.0]},
 }
 """Coarse grids and few runs of each study."""
 

@@ -202,13 +202,11 @@ class FloorMotions:
     Parameters
     ----------
     motions : tuple of Motion
-        The floor's motions, x and, where it acts, z.
+        The floor's motions: x; y, where pieces are run in space; and z, where it acts.
     scales : ndarray, shape (motions,)
         Factors on them.
     measures : dict
         Each intensity measure of each motion, shape (motions,).
-    dimensions : int
-        2 where pieces are run in the plane, 3 in space; the motions have y then, where it is known.
     floor : str
         The upper floors that the motions were stated for, if they are not of the ground: intensities are
         then by the formula alone, and there is no PGA and no PGV.
@@ -217,7 +215,6 @@ class FloorMotions:
     motions: tuple[Motion, ...]
     scales: NDArray[np.float64]
     measures: dict[IntensityMeasure, NDArray[np.float64]]
-    dimensions: int = 2
     floor: str = ""
 
     @property
@@ -337,7 +334,7 @@ class Hazard:
         for measure in self.further:
             if measure not in measures:
                 measures[measure] = self._further(measure, np.abs(factors))
-        return FloorMotions(motions, scales, measures, self.dimensions, self.ground.floor)
+        return FloorMotions(motions, scales, measures, self.ground.floor)
 
     @cached_property
     def _horizontal_peaks(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -114,15 +114,7 @@ def _ran(
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
     """Run cases under the motions of a level, each under that of its number."""
     cases["scale"] = floors.scales[motion]
-    return run_columns(
-        cases,
-        elements,
-        floors.motions,
-        motion,
-        dimensions=floors.dimensions,
-        threads=threads,
-        on_progress=progress,
-    )
+    return run_columns(cases, elements, floors.motions, motion, threads=threads, on_progress=progress)
 
 
 def joined_rows(
@@ -248,7 +240,7 @@ def run_levels(
         flags = np.zeros((3, len(cases)), np.bool_)
         flags[0, chosen] = results["outcome"] == OVERTURNED_OUTCOME
         flags[1, chosen] = results["outcome"] == FAILED_OUTCOME
-        flags[2, chosen] = calm_runs(cases[chosen], results, used, floors.dimensions)
+        flags[2, chosen] = calm_runs(cases[chosen], results, used)
         return tuple(flags.reshape(3, *shape))
 
     return settled_levels(shape, levels, floors_at, run, every_run=every_run, progress=progress)
@@ -318,7 +310,7 @@ def group_starts(motions: int, samples: int) -> NDArray[np.intp]:
 
 
 def calm_runs(
-    cases: NDArray[np.void], results: NDArray[np.void], used: NDArray[np.float64], dimensions: int = 2
+    cases: NDArray[np.void], results: NDArray[np.void], used: NDArray[np.float64]
 ) -> NDArray[np.bool_]:
     """Return which runs stayed far from a fall: with little tilt and slide, and devices that hold easily.
 
@@ -330,16 +322,13 @@ def calm_runs(
         What became of them.
     used : ndarray, shape (n,)
         Largest utilisation of their devices; 0 without devices.
-    dimensions : int
-        3 where they may also fall over the ends of their length.
     """
     left, right = cases["u"][:, :2].T
-    across = 2.0 * cases["half_base"] if dimensions == 3 else np.inf
     return (
         (results["outcome"] != OVERTURNED_OUTCOME)
         & (results["outcome"] != FAILED_OUTCOME)
-        & (results["peak_tilt"] < CALM_TILT * overturning_tilts(cases, dimensions))
-        & (results["peak_slide"] < CALM_SLIDE * np.minimum(right - left, across))
+        & (results["peak_tilt"] < CALM_TILT * overturning_tilts(cases))
+        & (results["peak_slide"] < CALM_SLIDE * (right - left))
         & (used < CALM_USE)
     )
 
@@ -358,8 +347,7 @@ def calm_scenes(runs: Runs, pieces: Sequence[Piece]) -> NDArray[np.bool_]:
     return calm
 
 
-def overturning_tilts(cases: NDArray[np.void], dimensions: int = 2) -> NDArray[np.float64]:
+def overturning_tilts(cases: NDArray[np.void]) -> NDArray[np.float64]:
     """Return the tilts at which pieces overturn by their weight, to the side where it is less [rad]."""
     left, right = cases["u"][:, :2].T
-    across = cases["half_base"] if dimensions == 3 else np.inf
-    return np.arctan2(np.minimum(np.minimum(-left, right), across), -cases["v"][:, 0])
+    return np.arctan2(np.minimum(-left, right), -cases["v"][:, 0])

@@ -267,15 +267,15 @@ def _drawn_rebound(stated: NumberOrColumn, drawn: NumberOrColumn) -> NumberOrCol
 
 
 def drawn_held(
-    body: Body, room: Room, measures: Iterable[Measure], draw: Draw, dimensions: int = 2
+    body: Body, room: Room, measures: Iterable[Measure], draw: Draw
 ) -> tuple[Held, NDArray[np.void]]:
-    """Return a piece with its measures in place as drawn, and the rows of its devices.
+    """Return a piece in the plane with its measures in place as drawn, and the rows of its devices.
 
     The body and its place are drawn before the measures are applied, friction after them: a measure's
     surface is as uncertain as the floor's. A product is bought for the piece as stated.
     """
     bought = [measure.fitted_to(body) for measure in measures]
-    held = hold(drawn_body(body, draw), drawn_place(room, draw), bought, dimensions=dimensions)
+    held = hold(drawn_body(body, draw), drawn_place(room, draw), bought)
     return replace(held, room=drawn_surfaces(held.room, draw)), element_rows(held, draw.strength)
 
 
@@ -305,9 +305,8 @@ def rows_of(
     drawn: DrawTable,
     gravity: float,
     initial: State | None = None,
-    dimensions: int = 2,
 ) -> Rows:
-    """Return the rows of a piece under all draws; see `drawn_held`.
+    """Return the rows of a piece in the plane under all draws; see `drawn_held`.
 
     Parameters
     ----------
@@ -319,8 +318,6 @@ def rows_of(
         Acceleration of gravity [m/s²].
     initial : State, optional
         The initial state; at rest by default.
-    dimensions : int
-        2 in the plane, 3 in space.
 
     Raises
     ------
@@ -330,7 +327,7 @@ def rows_of(
     columns = {name: column.ravel() for name, column in drawn.columns.items()}
     count = len(columns["mass"])
     bought = tuple(measure.fitted_to(body) for measure in measures)
-    held = hold(body, room, bought, dimensions=dimensions)
+    held = hold(body, room, bought)
     numbers: dict[str, NumberOrColumn] = {**flat_fields(held.body, held.room, initial or State(), gravity)}
     if not held.elements and held.body == body:
         # Nothing but numbers changes with the draw, so that all rows are made at once: far faster than one by
@@ -362,7 +359,7 @@ def rows_of(
                 path = f"room.{name}.restitution"
                 numbers[path] = _drawn_rebound(numbers[path], columns["wall_restitution"])
         return Rows(case_rows(numbers, count), no_elements(0, count), masses)
-    each = [drawn_held(body, room, measures, draw, dimensions) for row in drawn for draw in row]
+    each = [drawn_held(body, room, measures, draw) for row in drawn for draw in row]
     leaf_rows = [{**fields_of("body", fixed.body), **fields_of("room", fixed.room)} for fixed, _ in each]
     numbers |= {path: np.array([row[path] for row in leaf_rows]) for path in leaf_rows[0]}
     masses, elements = np.array([fixed.body.mass for fixed, _ in each]), np.stack([rows for _, rows in each])

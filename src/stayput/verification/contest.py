@@ -113,7 +113,7 @@ class Contest:
         ]
         draft = copy(self)
         draft.scenario = self.scenario.in_plane()
-        draft.floors = replace(self.floors, motions=tuple(parts), dimensions=2)
+        draft.floors = replace(self.floors, motions=tuple(parts))
         draft.advance = partial(_uncounted, self.advance)
         return draft
 
