@@ -126,6 +126,7 @@ def verified(
         "room": {"floor": floor, "left_wall": behind, "ceiling": {"height": 2.4}},
         "shaking": {"intensity": 6.0, "suite": suite, **(shaking or {})},
         "uncertainty": {"samples": 6, "seed": 1},
+        "dimensions": 2,  # as rows are run
         **tables,
     }
     return verify(sp.Scenario.parse(scenario), levels=(), progress=False, threads=1)

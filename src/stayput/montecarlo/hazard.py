@@ -190,9 +190,9 @@ class PreparedFloor:
     scales: NDArray[np.float64]
 
     @classmethod
-    def of(cls, motions: Iterable[Motion], scales: NDArray[np.float64], dimensions: int = 2) -> PreparedFloor:
-        """Prepare motions for the kernels in the plane (2 dimensions) or in space (3)."""
-        return cls(tuple(prepared_motion(motion, dimensions) for motion in motions), scales)
+    def of(cls, motions: Iterable[Motion], scales: NDArray[np.float64]) -> PreparedFloor:
+        """Prepare motions for the kernels in the plane."""
+        return cls(tuple(prepared_motion(motion, 2) for motion in motions), scales)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -35,9 +35,6 @@ if TYPE_CHECKING:
 
 INSETS = ("back_inset", "front_inset")
 
-OWN = ("mass", "gravity_height", *INSETS)
-"""Quantities of `Draw` that each piece has of its own; the others are the room's."""
-
 FIRST_SAMPLES = 4
 """Samples of each motion before the precision is checked for the first time."""
 
@@ -155,7 +152,6 @@ def draws(
     *,
     as_stated: Collection[str] = (),
     quantities: Uncertainty = QUANTITIES,
-    piece: str = "",
 ) -> DrawTable:
     """Return the draws of every motion.
 
@@ -171,13 +167,8 @@ def draws(
         Quantities that are not drawn; the draws of the others stay as they are.
     quantities : Uncertainty
         Their distributions, in the order of `stayput.uncertainty.USUAL`.
-    piece : str
-        Name of the piece, by which it has its `OWN` quantities; without it they are drawn with the others.
     """
     drawn = quantities.sample(samples, seed, motions=motions, start=start)
-    if piece:
-        own = Uncertainty({name: quantities.marginals[name] for name in OWN})
-        drawn |= own.sample(samples, seed, motions=motions, start=start, stream=piece)
     for name in as_stated:
         drawn[name] = np.full((motions, samples), getattr(AS_STATED, name))
     return DrawTable(drawn)

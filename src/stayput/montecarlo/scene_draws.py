@@ -10,7 +10,7 @@ import numpy as np
 
 from stayput.measures.wall import REACH
 from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room
-from stayput.montecarlo.sampling import AS_STATED, OWN, Draw, drawn_body, drawn_place, drawn_surfaces
+from stayput.montecarlo.sampling import AS_STATED, INSETS, Draw, drawn_body, drawn_place, drawn_surfaces
 from stayput.simulation.placing import planes_around, room_seen
 from stayput.simulation.scene import STRENGTH_RANGE, Scene
 from stayput.simulation.space_engine import SpaceShaking
@@ -22,6 +22,9 @@ if TYPE_CHECKING:
     from stayput.motion.record import Motion
     from stayput.simulation.piece import Piece
     from stayput.uncertainty import Marginal
+
+OWN = ("mass", "gravity_height", *INSETS)
+"""Quantities of `Draw` that each piece has of its own; the others are the room's."""
 
 LIKE = {"between": "friction", "joints": "strength"}
 """Quantities of several pieces that are drawn like one of `Draw`: friction between them, and joints."""

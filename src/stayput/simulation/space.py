@@ -202,7 +202,7 @@ def trace_together(
     initial: State | None = None,
     lies: float = math.inf,
 ) -> Trace:
-    """Run the pieces of a scene as one group, from where the first stands: its bits do not depend on that.
+    """Run the pieces of a scene as one group, from where the leftmost stands: its bits do not depend on that.
 
     Parameters
     ----------
@@ -220,7 +220,7 @@ def trace_together(
         How long all lie before the run ends [s].
     """
     called = names or names_of(scene, range(len(scene.pieces)))
-    x, y, _ = scene.pieces[0].at
+    x, y, _ = min(piece.at for piece in scene.pieces)
     scene = scene.shifted(x, y)
     bodies = placed(scene, strength, drawn_floor, called, initial)
     planes = planes_around(scene.pieces, scene.around)

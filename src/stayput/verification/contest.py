@@ -170,7 +170,7 @@ class Contest:
         scenario, settings = self.scenario, self.settings
         body, room = body or scenario.piece.body(), scenario.room.room()
         place = settings.motions, samples, settings.seed, start
-        drawn = draws(*place, piece=scenario.names[0], **self._stated)
+        drawn = draws(*place, **self._stated)
         stands = settings.gravity, scenario.initial.state()
         rows = [rows_of(body, room, option.measures, drawn, *stands) for option in options]
         self._last = asked, rows

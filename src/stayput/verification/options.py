@@ -76,8 +76,8 @@ def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impo
     named, room = scenario.options, scenario.room.room()
 
     def put_in_place(option: Option) -> object:
-        if scenario.dimensions == 2:
-            return hold(scenario.piece.body(), room, option.measures)
+        if scenario.alone:
+            return hold(scenario.piece.body(), room, option.measures, dimensions=scenario.dimensions)
         return placed(scenario.scene(option))
 
     if scenario.alone:

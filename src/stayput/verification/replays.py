@@ -65,7 +65,7 @@ def drawn_run(scenario: Scenario, option: Option, member: Member) -> Run:
         with scenario.naming_keys():
             return replay(scenario.scene(option), draw, motion, scale, gravity, initial)
     scaled = motion.scaled(scale)
-    draw = draws(*counts, piece=scenario.names[0], **known)[member.motion][member.sample]
+    draw = draws(*counts, **known)[member.motion][member.sample]
     body, room = scenario.piece.body(), scenario.room.room()
     held, elements = drawn_held(body, room, option.measures, draw)
     row = case_columns(held.body, held.room, initial, gravity)
