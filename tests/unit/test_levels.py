@@ -164,16 +164,19 @@ ROOM = {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"heigh
 FREE = {"floor": {"static_friction": 0.25, "kinetic_friction": 0.2}, "right_wall": {"gap": 0.3}}
 SCENARIOS = {
     "a bookcase with all usual measures": {
+        "dimensions": 2,
         "shaking": {"intensity": "6-upper", "suite": {"count": 4, "seed": 3}},
         "uncertainty": {"samples": 16},
     },
     "a slippery floor between walls": {
+        "dimensions": 2,
         "furniture": {"preset": "cupboard"},
         "room": {**FREE, "left_wall": {"gap": 0.1}},
         "shaking": {"intensity": 5.5, "suite": {"family": "near-fault", "count": 6}},
         "uncertainty": {"samples": 48, "seed": 5},
     },
     "devices that fail, upstairs in a building that yields": {
+        "dimensions": 2,
         "shaking": {
             "intensity": 5.8,
             "suite": {"family": "crustal", "count": 4},
@@ -188,8 +191,9 @@ SCENARIOS = {
         ],
         "uncertainty": {"samples": 32, "seed": 7},
     },
-    "one motion, an elastic building": {
+    "one motion, an elastic building, in space": {
         "furniture": {"preset": "television"},
+        "measures": [{"type": "felt_glides"}],
         "shaking": {
             "builtin": "near-fault",
             "building": {"storeys": 3, "structure": "wood", "nonlinear": False},
@@ -198,6 +202,7 @@ SCENARIOS = {
         "uncertainty": {"samples": 16},
     },
     "fewer samples than a group has runs": {
+        "dimensions": 2,
         "furniture": {"preset": "refrigerator"},
         "shaking": {"intensity": 6.0, "suite": {"family": "crustal", "count": 12}},
         "uncertainty": {"samples": 12},
