@@ -210,6 +210,10 @@ def new_page(
     return page
 
 
+IN_PLANE = "#inSpace=0&measures=l_bracket"
+"""Address of the page with a piece that is shaken in the plane: its runs are quick, and list every event."""
+
+
 @contextmanager
 def opened(
     browser: Browser,

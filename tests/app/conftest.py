@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import CHROMIUM, Opened, browser, opened, webgl
+from browsing import CHROMIUM, IN_PLANE, Opened, browser, opened, webgl
 from room_editing import Editor, editing
 from room_judge import Judge, begin_anew, room_page
 from serving import Running, client_of, running
@@ -65,7 +65,7 @@ def judge(opened_room: tuple[Opened, Judge]) -> Judge:
 def it(request: pytest.FixtureRequest, browser: Browser, server: Running) -> Iterator[Opened]:
     """The page of one piece; where a judge answers that of a room, one for all tests of a module."""
     if "judge" not in request.fixturenames:
-        with opened(browser, server) as found:
+        with opened(browser, server, IN_PLANE) as found:
             yield found
         return
     request.getfixturevalue("judge")

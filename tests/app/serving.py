@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from stayput.app.limits import Limits
 
 SCENE = {
+    "dimensions": 2,  # quick, with every event; the others are in test_api_space.py
     "furniture": {"preset": "bookcase"},
     "room": {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}},
     "shaking": {"builtin": "near-fault"},

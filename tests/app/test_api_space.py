@@ -24,6 +24,7 @@ LASTING = 5.0
 SPACE: dict[str, Any] = {
     **SCENE,
     "dimensions": 3,
+    "direction": 0.0,
     "furniture": {"preset": "refrigerator", "length": 0.6, "heading": 0.5},
     "shaking": {"intensity": "6-upper", "member": 3},
 }

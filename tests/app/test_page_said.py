@@ -42,6 +42,7 @@ def scene(**changed: object) -> str:
         "mass": 35,
         "shelves": "33,33,33,33,33",
         "wall": 1,
+        "inSpace": 0,
     }
     return "#" + "&".join(f"{name}={value}" for name, value in {**usual, **changed}.items())
 

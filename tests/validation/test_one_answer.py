@@ -1,0 +1,73 @@
+"""One answer to one question: a bookcase alone, in a scene of three, in a room and in a room of three."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import stayput as sp
+from stayput.measures import GelMats, LBracket
+from stayput.montecarlo.counting import OVERTURNED
+from stayput.scenario.option import Option
+from stayput.verification.contest import Contest
+
+SHAKEN = {
+    "shaking": {"intensity": "6-upper", "suite": {"count": 4}},
+    "uncertainty": {"samples": 8},
+}
+SIZES = {"name": "bookcase", "width": 0.3, "height": 1.8, "mass": 200.0, "length": 0.9}
+AT_THE_WALL = {**SIZES, "against": "left_wall", "along": 5.0, "gap": 0.02}
+BEHIND = {"left_wall": {"gap": 0.02}}
+ROOM = {"width": 8.0, "length": 10.0}
+
+
+def chest(name: str, **place: Any) -> dict[str, Any]:
+    return {"name": name, "width": 0.45, "height": 0.8, "mass": 60.0, "length": 0.9, **place}
+
+
+PLACES: dict[str, dict[str, Any]] = {
+    "alone": {"furniture": SIZES, "room": BEHIND},
+    "in a scene of three": {
+        "furniture": [SIZES, chest("a", at=[0.075, 4.0]), chest("b", at=[0.075, -4.0])],
+        "room": BEHIND,
+    },
+    "in a room": {"furniture": [AT_THE_WALL], "plan": ROOM},
+    "in a room of three": {
+        "furniture": [
+            AT_THE_WALL,
+            chest("a", against="left_wall", along=1.0),
+            chest("b", against="right_wall", along=8.0),
+        ],
+        "plan": ROOM,
+    },
+}
+
+
+@pytest.mark.parametrize("measures", [(), (LBracket(),), (GelMats(),)], ids=["free", "brackets", "mats"])
+def test_a_bookcase_has_the_same_runs_to_the_bit_wherever_nothing_else_reaches_it(
+    measures: tuple[sp.Measure, ...],
+) -> None:
+    results, used = list[Any](), list[Any]()
+    for tables in PLACES.values():
+        scenario = sp.Scenario.parse({**SHAKEN, **tables})
+        option = Option("held", (measures, *((),) * (len(scenario.names) - 1)))
+        (runs,) = Contest(scenario, 0.1, 2).run([option], 2)
+        assert runs.results is not None
+        results.append(runs.results[..., 0])
+        used.append(runs.used)
+    assert len(np.unique(results[0]["peak_tilt"])) == results[0].size  # each draw is another
+    for other, of_devices in zip(results[1:], used[1:], strict=True):
+        for name in ("outcome", "peak_slide", "peak_tilt", "residual_tilt", "wall_impacts"):
+            assert np.array_equal(results[0][name], other[name]), name
+        assert np.array_equal(used[0], of_devices)
+
+
+def test_their_verdicts_are_one() -> None:
+    chances: list[Any] = []
+    for tables in PLACES.values():
+        verdict = sp.verify(sp.Scenario.parse({**SHAKEN, **tables}), changes=False, levels=[])
+        piece = next(piece for piece in verdict.without.pieces if piece.name == "bookcase")
+        chances.append((piece.probabilities[OVERTURNED], piece.slide, piece.stability))
+    assert all(other == chances[0] for other in chances[1:])
