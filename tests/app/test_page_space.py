@@ -105,7 +105,7 @@ def test_the_pictures_follow_the_slider_the_views_and_the_keys(webgl: Browser, s
         first = picture(it)
         assert it.text("#now-without").startswith("stays put")
         assert max(coloured(first)) < 0.005
-        it.page.locator("#time").fill("900")
+        it.page.locator("#time").fill("450")
         later = picture(it)
         assert it.text("#now-without").startswith("moves")
         assert coloured(later)[0] > 0.02

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from browsing import COMPILING, opened
+from browsing import COMPILING, IN_PLANE, opened
 from serving import hold_verifications
 
 from stayput.app import api
@@ -45,7 +45,7 @@ def _ranked(answer) -> bool:
 @pytest.fixture(scope="module")
 def verified(browser: Browser, server: Running) -> Iterator[tuple[Opened, dict]]:
     asked: list[bool] = []
-    with opened(browser, server, verify=True) as it:
+    with opened(browser, server, IN_PLANE, verify=True) as it:
         it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
         it.page.on(
             "request",
