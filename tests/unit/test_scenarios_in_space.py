@@ -10,9 +10,12 @@ import pytest
 from commands import cli
 
 import stayput as sp
+from stayput.measures import MEASURES
 from stayput.report.verdict.html import write_report
 from stayput.scenario import Scenario
 from stayput.simulation.case import Case
+from stayput.verification.contest import Contest
+from stayput.verification.options import compared_options
 from stayput.verification.replays import drawn_run
 
 BOOKCASE = {
@@ -222,3 +225,26 @@ def test_a_verdict_and_its_report(tmp_path: Path) -> None:
     page = (tmp_path / "verdict.html").read_text(encoding="utf-8")
     assert page.count("<iframe") == (4 if verdict.best.option.measures else 2)
     assert "data:image/svg+xml;base64," in page
+
+
+def test_every_measure_that_can_be_put_in_place_is_verified_in_space() -> None:
+    kinds = [{"type": kind} for kind in MEASURES if kind != "lower_shelves"]
+    poles = {"type": "tension_pole", "name": "below a ceiling of its own", "ceiling_height": 2.3}
+    scenario = Scenario.parse(
+        {
+            "furniture": {"preset": "bookcase"},
+            "room": {"left_wall": {"gap": 0.05}, "floor": "wood flooring"},
+            "shaking": {"builtin": "near-fault", "scale": 0.5},
+            "measures": [*kinds, poles],
+            "uncertainty": {"samples": 1},
+        }
+    )
+    assert scenario.dimensions == 3
+    options, impossible = compared_options(scenario)
+    assert {one.option.name for one in impossible} == {"tension_pole"}  # no ceiling is known
+    runs = Contest(scenario, 0.1, 1).run(options, 1)
+    assert len(runs) == len(kinds) + 1
+    assert not any(each.missing.any() for each in runs)
+    slides = {option.name: each.slide.item() for option, each in zip(options, runs, strict=True)}
+    assert slides["base_isolator"] != slides["none"]
+    assert slides["against_wall"] != slides["away_from_wall"]

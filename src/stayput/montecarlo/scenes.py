@@ -172,8 +172,7 @@ class SceneRunner:
         shape = len(self.floors.motions), samples
         parts = [_Parts(scene) for scene in scenes]
         ran: dict[tuple[int, int], list[tuple[dict[Group, GroupRun], Seen | None]]] = {}
-        if start + samples > 0:
-            self.draw(0, start + samples - 1)
+        self.draw(0, start + samples - 1)  # all are drawn before threads ask for them
 
         def run(motion: int, sample: int) -> None:
             wanted = [chosen is None or bool(chosen[option, motion]) for option in range(len(parts))]

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Self
 from pydantic import Discriminator, Field, Tag, model_validator
 
 from stayput.errors import InputError, no_length, refuse_same_names, within, word_of
+from stayput.measures import hold
 from stayput.model.floor_plan import MOST_PLACES, Door, FloorPlan, Window
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import WALLS_AROUND, Room
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     from collections.abc import Generator, Sequence
     from contextlib import AbstractContextManager
 
+    from stayput.simulation.piece import Piece
     from stayput.simulation.scene import Joint
 
 
@@ -57,6 +59,16 @@ else:
         Discriminator(_several_or_one),
     ]
 """A piece, or a list of them."""
+
+
+def _alone(piece: Piece, room: Room) -> tuple[list[Piece], Room]:
+    """Return a lone piece in its own axes, along which its motions are, and its room with its measures.
+
+    These may change where its walls are, and know of a ceiling.
+    """
+    around = hold(piece.body, room, piece.measures).room
+    measures = [measure for measure in piece.measures if measure.acts_on != "the room"]
+    return [replace(piece, heading=0.0, measures=measures)], replace(around, floor=room.floor)
 
 
 class SceneTables(FromFile):
@@ -182,9 +194,10 @@ class SceneTables(FromFile):
             ]
             joints = self._joints() if chosen.joined else []
             friction = self.static_friction, self.kinetic_friction
-            if self.alone:  # its motions are along its axes
-                pieces = [replace(pieces[0], heading=0.0)]
-            scene = Scene(pieces, self.room.room(), self._plan(), joints, friction)
+            room = self.room.room()
+            if self.alone:
+                pieces, room = _alone(pieces[0], room)
+            scene = Scene(pieces, room, self._plan(), joints, friction)
             return scene.moved(chosen.moved) if chosen.moved else scene
 
     def _keys(self) -> AbstractContextManager[None]:
