@@ -50,13 +50,13 @@ class GroupRun(NamedTuple):
         What became of each.
     devices : list of tuple of ndarray
         DEVICE and utilisation of what holds each piece, and of the joints between them at last.
-    tracks : list of Track
-        Where each was.
+    tracks : list of Track or None
+        Where each was; None where nothing can reach it.
     """
 
     results: NDArray[np.void]
     devices: list[tuple[NDArray[np.void], NDArray[np.float64]]]
-    tracks: list[Track]
+    tracks: list[Any]
 
 
 class Seen(NamedTuple):
@@ -218,9 +218,10 @@ class SceneRunner:
         if key not in known:
             draw = self.draw(motion, sample).of(group)
             # of pieces that nothing can reach only what becomes of them is asked: it ends where all lie
-            lies = ENDS if len(of.at_first) == 1 and self._watch is None else math.inf
+            reached = len(of.at_first) > 1 or self._watch is not None
+            lies = math.inf if reached else ENDS
             traced = trace_draw(part, draw, shaking, self._gravity, called, self._initial, lies)
-            known[key] = _group_run(traced, shaking)
+            known[key] = _group_run(traced, shaking, tracked=reached)
         return known[key]
 
     def _members(
@@ -254,14 +255,15 @@ class _Parts:
         return self._known[group]
 
 
-def _group_run(traced: Trace, shaking: SpaceShaking) -> GroupRun:
+def _group_run(traced: Trace, shaking: SpaceShaking, *, tracked: bool) -> GroupRun:
     trace, first = traced.trace, 0
     used, devices = utilisation(trace.springs, trace.devices), list[tuple[Any, Any]]()
     for count in [*(len(body.springs) for body in traced.bodies), None]:
         rows = slice(first, None if count is None else first + count)
         devices.append((trace.devices[rows], used[rows]))
         first += count or 0
-    return GroupRun(results_of(traced, shaking.times), devices, traced.in_room().tracks(shaking.dt))
+    tracks = traced.in_room().tracks(shaking.dt) if tracked else [None] * len(traced.bodies)
+    return GroupRun(results_of(traced, shaking.times), devices, tracks)
 
 
 def trace_draw(

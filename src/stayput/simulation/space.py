@@ -221,7 +221,7 @@ def trace_together(
     """
     called = names or names_of(scene, range(len(scene.pieces)))
     x, y, _ = min(piece.at for piece in scene.pieces)
-    scene = scene.shifted(x, y)
+    scene = scene.shifted(x, y) if x or y else scene
     bodies = placed(scene, strength, drawn_floor, called, initial)
     planes = planes_around(scene.pieces, scene.around)
     joints = joint_springs([body.piece for body in bodies], scene.joints)
