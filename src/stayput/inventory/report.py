@@ -232,6 +232,7 @@ def done(facts: Mapping[str, Any], manifest: Mapping[str, Any], contents: bool, 
         joined(read, language),
         *(_scenario(scenario, language) for scenario in manifest["scenarios"]),
         tell("units", language, choices=choices, units=f"{facts['units']:,}"),
+        say("verification.in_plane", language),
         tell("slide_limit", language, limit=manifest["slide limit"]),
     ]
     if contents:
