@@ -64,11 +64,11 @@ else:
 def _alone(piece: Piece, room: Room) -> tuple[list[Piece], Room]:
     """Return a lone piece in its own axes, along which its motions are, and its room with its measures.
 
-    These may change where its walls are, and know of a ceiling.
+    Some say where its walls are, and poles may know of a ceiling; those of the base are of the piece.
     """
-    around = hold(piece.body, room, piece.measures).room
+    around = [measure for measure in piece.measures if measure.acts_on in ("the room", "the tie")]
     measures = [measure for measure in piece.measures if measure.acts_on != "the room"]
-    return [replace(piece, heading=0.0, measures=measures)], replace(around, floor=room.floor)
+    return [replace(piece, heading=0.0, measures=measures)], hold(piece.body, room, around).room
 
 
 class SceneTables(FromFile):
