@@ -45,13 +45,20 @@ PLACES: dict[str, dict[str, Any]] = {
 }
 
 
-@pytest.mark.parametrize("measures", [(), (LBracket(),), (GelMats(),)], ids=["free", "brackets", "mats"])
-def test_a_bookcase_has_the_same_runs_to_the_bit_wherever_nothing_else_reaches_it(
-    measures: tuple[sp.Measure, ...],
-) -> None:
+CASES = {
+    "free": ((), {}),
+    "brackets": ((LBracket(),), {}),
+    "mats": ((GelMats(),), {}),
+    "from a direction": ((), {"direction": 0.7}),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_a_bookcase_has_the_same_runs_to_the_bit_wherever_nothing_else_reaches_it(case: str) -> None:
+    measures, stated = CASES[case]
     results, used = list[Any](), list[Any]()
     for tables in PLACES.values():
-        scenario = sp.Scenario.parse({**SHAKEN, **tables})
+        scenario = sp.Scenario.parse({**SHAKEN, **tables, **stated})
         option = Option("held", (measures, *((),) * (len(scenario.names) - 1)))
         (runs,) = Contest(scenario, 0.1, 2).run([option], 2)
         assert runs.results is not None
@@ -71,3 +78,31 @@ def test_their_verdicts_are_one() -> None:
         piece = next(piece for piece in verdict.without.pieces if piece.name == "bookcase")
         chances.append((piece.probabilities[OVERTURNED], piece.slide, piece.stability))
     assert all(other == chances[0] for other in chances[1:])
+
+
+@pytest.mark.parametrize("stated", [{}, {"direction": 0.4}], ids=["drawn", "stated"])
+def test_one_that_faces_elsewhere_is_shaken_alike(stated: dict[str, float]) -> None:
+    """Turned with its draws: but for rounding, which impacts enlarge."""
+    slides: list[Any] = []
+    for furniture in ({**SIZES, "heading": 0.7}, [{**SIZES, "heading": 0.7}]):
+        scenario = sp.Scenario.parse({**SHAKEN, "furniture": furniture, **stated})
+        (runs,) = Contest(scenario, 0.1, 2).run([Option("none")], 2)
+        slides.append(np.where(runs.overturned, np.inf, runs.slide))
+    alike = np.isclose(slides[0], slides[1], rtol=1e-3, atol=1e-6)
+    assert alike.mean() > 0.7
+    assert np.array_equal(*(np.isinf(each) for each in slides))
+
+
+def test_one_component_comes_from_where_it_is_said_to() -> None:
+    sine = {"shaking": {"sine": {"amplitude": 4.0, "frequency": 1.0, "duration": 5.0}}}
+    for turned, points, dimensions in (
+        ({}, 0.0, 2),
+        ({"direction": 0.0}, 0.0, 2),
+        ({"direction": 0.5}, 0.5, 3),
+    ):
+        scenario = sp.Scenario.parse({**sine, "furniture": SIZES, **turned})
+        assert (scenario.points, scenario.dimensions) == (points, dimensions)
+    aside = sp.Scenario.parse({**sine, "furniture": {**SIZES, "heading": 1e-9}})
+    assert (aside.points, aside.dimensions) == (0.0, 2)
+    aside = sp.Scenario.parse({**sine, "furniture": {**SIZES, "heading": 0.5}})
+    assert (aside.points, aside.facing, aside.dimensions) == (0.0, 0.5, 3)

@@ -60,8 +60,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "engine_plane": ("In the plane (one direction)", "平面（1方向）"),
     "engine_space": ("In space (three directions)", "三次元（3方向）"),
     "engineHint": (
-        "In space the piece is shaken from all sides, may fall over a corner or sideways, and turn; working out the chances takes a minute. In the plane it is shaken to the front and the back alone: quick, but its fastenings then bear too little.",
-        "三次元では、あらゆる向きの揺れで角や横の方向に倒れたり、向きが変わったりします。確率の計算には1分ほどかかります。平面では前後の揺れだけを考えるので速い反面、固定器具にかかる力は小さめに出ます。",
+        "In space the piece is shaken from all sides, may fall over a corner or sideways, and turn; working out the chances takes half a minute or more. In the plane it is shaken to the front and the back alone: quick, but its fastenings then bear too little.",
+        "三次元では、あらゆる向きの揺れで角や横の方向に倒れたり、向きが変わったりします。確率の計算には30秒以上かかります。平面では前後の揺れだけを考えるので速い反面、固定器具にかかる力は小さめに出ます。",
     ),
     "base": ("What bears on the floor", "床に接する部分"),
     "mass": ("Mass with its content", "中身を含む重さ"),

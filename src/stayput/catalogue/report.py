@@ -283,9 +283,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "building": ("Building", "建物"),
     # What a verdict rests on.
     "piece_text": (
-        "{width:g} m × {height:g} m, {mass:.4g} kg, centre of gravity {up:.3g} m up{forward}",
-        "{width:g} m × {height:g} m、{mass:.4g} kg、重心の高さ {up:.3g} m{forward}",
+        "{width:g} m × {length}{height:g} m, {mass:.4g} kg, centre of gravity {up:.3g} m up{forward}",
+        "{width:g} m × {length}{height:g} m、{mass:.4g} kg、重心の高さ {up:.3g} m{forward}",
     ),
+    "length": ("{length:g} m × ", "{length:g} m × "),
     "forward": (", {across:+.3g} m forward", "、前方へ {across:+.3g} m"),
     "surface": ("{name}: ", "{name}："),
     "frictions": (
@@ -359,7 +360,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "quantity_mass": ("Mass, factor on its value", "質量に掛ける倍率"),
     "quantity_gravity_height": ("Height of the centre of gravity, factor", "重心の高さに掛ける倍率"),
     "quantity_wall_gap": ("Gaps to the walls, factor on their value", "壁とのすき間に掛ける倍率"),
-    "quantity_lean": ("Lean of the floor, forwards [rad]", "床の傾き（前方へ、rad）"),
+    "quantity_lean": ("Lean of the floor, along the shaking's x [rad]", "床の傾き（揺れのx方向へ、rad）"),
     "quantity_back_inset": (
         "Feet or plinth inside the back, part of the depth",
         "背面から脚・台輪までの距離（奥行きに対する比）",

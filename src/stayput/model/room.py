@@ -362,6 +362,11 @@ class Room(Brief):
                 allowed = phrase("model.part_of_room", example=example)
                 raise not_allowed(name, shown(value), allowed, name)
 
+    @property
+    def has_side_walls(self) -> bool:
+        """Whether it has a wall beside the piece."""
+        return any(getattr(self, name) is not None for name in SIDE_WALLS)
+
     def refuse_side_walls(self) -> None:
         """Raise `InputError` where it has a side wall, which the plane has not."""
         for name in SIDE_WALLS:

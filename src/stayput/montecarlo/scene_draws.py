@@ -73,6 +73,7 @@ def draws_of_several(
     as_stated: Collection[str] = (),
     quantities: Uncertainty = QUANTITIES,
     direction: float | None = 0.0,
+    facing: float = 0.0,
 ) -> list[list[DrawOfSeveral]]:
     """Return the draws of every motion; those of a piece depend on its name, and on no other piece.
 
@@ -84,6 +85,8 @@ def draws_of_several(
         As for `stayput.montecarlo.sampling.draws`.
     direction : float, optional
         Where the motion's x points in plan [rad]; None draws it.
+    facing : float
+        Where the axes point in plan, along which the pieces are [rad].
     """
     usual = quantities.marginals
     like = {name: usual[quantity] for name, quantity in LIKE.items()}
@@ -107,7 +110,8 @@ def draws_of_several(
         values = dict(shared[motion][sample])
         between, joints, lean, towards = (values.pop(name) for name in (*LIKE, "lean", "direction"))
         pieces = tuple(Draw(**values | columns[motion][sample], lean=0.0) for columns in of_pieces)
-        return DrawOfSeveral(pieces, between, joints, lean, towards if direction is None else direction)
+        points = towards if direction is None else direction
+        return DrawOfSeveral(pieces, between, joints, lean, points - facing)
 
     return [[draw(motion, sample) for sample in range(samples)] for motion in range(motions)]
 

@@ -70,7 +70,8 @@ class PieceTable(ValueTable):
     )
     heading: Heading = Field(
         default=0.0,
-        description="Direction in which it faces: from x towards y, which for a lone piece are the motion's.",
+        description="Direction in which it faces, from x towards y; of a lone piece it matters where the "
+        "direction of the motion is not drawn.",
     )
     diameter: Size | None = Field(default=None, description="Diameter of a cylinder.")
     bottom: Size | None = Field(default=None, description="Lower diameter of a cone.")

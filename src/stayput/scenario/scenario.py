@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import cached_property, partial
 from os import PathLike
 from pathlib import Path
@@ -36,6 +37,9 @@ if TYPE_CHECKING:
 OF_A_LONE_PIECE = ("initial", "everyday", "measures", "contents")
 """Keys of a piece that stands alone."""
 
+ACROSS = 1e-6
+"""Sine of the angle up to which a motion is along the depth of a piece: rounding."""
+
 OF_PIECES = ("joints", "static_friction", "kinetic_friction", "options")
 """Keys of several pieces."""
 
@@ -69,8 +73,8 @@ class Scenario(SceneTables):
     shaking: ShakingTable = Field(default_factory=ShakingTable, description="How the floor is shaken.")
     direction: Heading | None = Field(
         default=None,
-        description="Where the motion's x points in plan, from x towards y; in a room with a plan it is "
-        "drawn by default.",
+        description="Where the motion's x points in plan, from x towards y; a verification draws it by "
+        "default, but of one horizontal component without a plan.",
     )
     stated_dimensions: Annotated[int, between(2, 3)] | None = Field(
         default=None,
@@ -113,10 +117,9 @@ class Scenario(SceneTables):
     def _check_lone_piece(self) -> None:
         for key in filter(self.piece.says, ("at", "along", "gap", "measures")):
             raise InputError("common.left_out", f"furniture.{key}", where=phrase("scenario.of_pieces"))
-        no_depth = self.piece.body().length is None
-        if self.stated_dimensions == 2 or (self.stated_dimensions is None and no_depth):
+        if self.stated_dimensions == 2:
             self.room.room().refuse_side_walls()
-        elif no_depth:
+        elif self.piece.body().length is None and (self.stated_dimensions or self.room.room().has_side_walls):
             raise no_length("furniture.length")
         if self.contents is not None:
             emptied(self.piece.body(), self.contents)
@@ -153,20 +156,30 @@ class Scenario(SceneTables):
         return 3 if moves_in_space(body, self.room.room(), across=across) else 2
 
     @cached_property
-    def shakes_across(self) -> bool:
+    def has_two_components(self) -> bool:
         """Whether any of the motions of the ground has two horizontal components."""
-        return any(motion.y is not None for motion in self.ground())
+        with self.naming_file("shaking"):
+            return any(motion.y is not None for motion in self.shaking.ground(self._folder))
+
+    @property
+    def shakes_across(self) -> bool:
+        """Whether the floor shakes a lone piece along its length too."""
+        turned = (self.direction or 0.0) - self.facing
+        return self.has_two_components or abs(math.sin(turned)) > ACROSS
 
     @property
     def points(self) -> float | None:
-        """Where x of its `ground` points in plan [rad]; None where a verification draws it.
+        """Where the motions' x points in plan [rad]; None where a verification draws it.
 
-        What is stated turns the motions of a lone piece. One component alone acts along x: the depth of a
-        lone piece.
+        One component alone acts along x, where nothing else is stated and there is no plan.
         """
-        if self.direction is not None:
-            return 0.0 if self.alone else self.direction
-        return None if self.plan is not None or self.shakes_across else 0.0
+        drawn = self.plan is not None or self.has_two_components
+        return None if self.direction is None and drawn else self.direction or 0.0
+
+    @property
+    def has_a_plane(self) -> bool:
+        """Whether it is of a lone piece that may be run in the plane."""
+        return self.alone and not self.room.room().has_side_walls
 
     def in_plane(self) -> Self:
         """Return the same of a lone piece in the plane: a draft, or for many pieces."""
@@ -220,7 +233,7 @@ class Scenario(SceneTables):
         if quantities is not None:
             changed["uncertainty"] = self.uncertainty.with_quantities(quantities)
         copy = self.model_copy(update=changed)
-        vars(copy).pop("shakes_across", None)  # which a copy takes along
+        vars(copy).pop("has_two_components", None)  # which a copy takes along
         if measures is not None:
             _refuse_same_names(measures)
             copy._own_options = tuple(measures)
@@ -269,12 +282,12 @@ class Scenario(SceneTables):
             The record cannot be read, or the suite has no such member.
         """
         with self.naming_file("shaking"):
-            return self.shaking.motion(self._folder).pointing((self.direction or 0.0) - self._facing)
+            return self.shaking.motion(self._folder).pointing((self.direction or 0.0) - self.facing)
 
     def ground(self) -> Suite:
         """Make the motions of the ground, not scaled, with all components.
 
-        They are along the axes of a lone piece; those of several are turned as they are drawn.
+        In the plane they are along the axes of the piece; in space they are turned as they are drawn.
 
         Raises
         ------
@@ -283,11 +296,14 @@ class Scenario(SceneTables):
         """
         with self.naming_file("shaking"):
             ground = self.shaking.ground(self._folder)
-        direction = (self.direction or 0.0) - self._facing if self.alone else 0.0
-        return Suite(tuple(motion.pointing(direction) for motion in ground), ground.name)
+        if self.dimensions == 3:
+            return ground
+        turned = (self.direction or 0.0) - self.facing
+        return Suite(tuple(motion.pointing(turned) for motion in ground), ground.name)
 
     @property
-    def _facing(self) -> float:
+    def facing(self) -> float:
+        """Where the axes point along which what stands is run [rad]: those of a lone piece, or the plan's."""
         return self.piece.heading if self.alone else 0.0
 
     def case(self, measures: Sequence[Measure] = ()) -> Case:

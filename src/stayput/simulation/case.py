@@ -10,14 +10,23 @@ from typing import TYPE_CHECKING, overload
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, list_of, not_allowed, whole_within, within, word_of
+from stayput.errors import (
+    InputError,
+    instance_of,
+    list_of,
+    no_length,
+    not_allowed,
+    whole_within,
+    within,
+    word_of,
+)
 from stayput.measures.element import device_results
 from stayput.measures.measure import Measure, element_rows, hold
 from stayput.mechanics import columns as col
 from stayput.model.body import Body
 from stayput.model.flat_fields import case_columns
 from stayput.model.parameters import GRAVITY, STANDARD_GRAVITY
-from stayput.model.room import SIDE_WALLS, Room
+from stayput.model.room import Room
 from stayput.model.state import State, refuse_bad_start
 from stayput.motion.record import Motion
 from stayput.simulation.outcome import Event, EventKind, Mode, Outcome
@@ -90,6 +99,8 @@ class Case(Brief):
         if not self.in_space:
             if self.body.shape is not None:
                 object.__setattr__(self, "body", replace(self.body, shape=None))
+            if self.dimensions is None and self.body.length is None and self.room.has_side_walls:
+                raise no_length()
             self.room.refuse_side_walls()
 
     @property
@@ -119,8 +130,7 @@ def moves_in_space(body: Body, room: Room, *, across: bool) -> bool:
     Then it is run in space, under all components; else the plane is exact, and sees each event. A box without
     a length has no third direction.
     """
-    sides = any(getattr(room, name) is not None for name in SIDE_WALLS)
-    return body.shape is not None or (body.length is not None and (across or sides))
+    return body.shape is not None or (body.length is not None and (across or room.has_side_walls))
 
 
 @overload

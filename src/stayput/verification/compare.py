@@ -105,7 +105,7 @@ def compare(
                 estimates=estimates,
                 motions=settings.motions,
                 samples=samples,
-                runs=count.done,
+                runs=count.done or len(options) * settings.motions * samples,
                 seed=settings.seed,
                 seconds=time.perf_counter() - began,
                 impossible=impossible,
@@ -122,8 +122,10 @@ def compare(
         def run(_: list[int], samples: int, start: int) -> list[Runs]:
             return contest.run(options, samples, start, keep=scenario.plan is not None)
 
-        if on_verdict is not None and scenario.alone and not contest.in_plane:
-            draft, few = contest.draft(), min(settings.samples, FIRST_SAMPLES)
+        if on_verdict is not None and not contest.in_plane and scenario.has_a_plane:
+            # what the plane says meanwhile, as if the file asked for it; its runs do not count
+            draft = Contest(scenario.in_plane(), limit, threads, advance=lambda _runs: count(0))
+            few = min(settings.samples, FIRST_SAMPLES)
             so_far(draft.run(options, few), few, draft)
         # All options go on together, since they are compared sample by sample.
         here, samples, precise = sample_until_precise(

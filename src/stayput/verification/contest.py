@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from copy import copy
 from dataclasses import fields, replace
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -100,22 +98,8 @@ class Contest:
     def _drawn(self, samples: int, start: int) -> Any:
         scenario, settings = self.scenario, self.settings
         place = settings.motions, samples, settings.seed, start
-        return draws_of_several(scenario.names, *place, direction=scenario.points, **self._stated)
-
-    def draft(self) -> Contest:
-        """Return the same of a lone piece in the plane, under each motion's part along its depth.
-
-        A motion points there as it does in its first draw.
-        """
-        parts = [
-            replace(motion.pointing(draws[0].direction), y=None)
-            for motion, draws in zip(self.floors.motions, self._drawn(1, 0), strict=True)
-        ]
-        draft = copy(self)
-        draft.scenario = self.scenario.in_plane()
-        draft.floors = replace(self.floors, motions=tuple(parts))
-        draft.advance = partial(_uncounted, self.advance)
-        return draft
+        turned: dict[str, Any] = {"direction": scenario.points, "facing": scenario.facing}
+        return draws_of_several(scenario.names, *place, **turned, **self._stated)
 
     @property
     def in_plane(self) -> bool:
@@ -246,8 +230,3 @@ class Contest:
 
         with self.scenario.naming_keys():
             return settled_levels(shape, levels, floors_at, run, **shared)
-
-
-def _uncounted(advance: Callable[[int], None], _runs: int) -> None:
-    """Let who has left end the runs of a draft, which do not count."""
-    advance(0)

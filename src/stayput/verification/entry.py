@@ -59,7 +59,8 @@ def verify(
     Parameters
     ----------
     what : Body, Case or Scenario
-        What stands. A case has its room, its motion and its own measures; a scenario says everything. Of
+        What stands. A case has its room, its motion, which comes from where it says, and its own measures; a
+        scenario says everything. Where the motions of a body come from is drawn, if it has a length. Of
         several pieces joints and measures on each are compared, and of a room single changes of it.
     room : Room, optional
         Where a body stands; on a wooden floor without walls by default.

@@ -58,9 +58,10 @@ def drawn_run(scenario: Scenario, option: Option, member: Member) -> Run:
     (motion, scale), stated = floor_motion(scenario, member), scenario.uncertainty
     counts, gravity = (member.motion + 1, member.sample + 1, stated.seed), scenario.gravity
     known: dict[str, Any] = {"as_stated": stated.as_stated, "quantities": stated.quantities}
+    turned: dict[str, Any] = {"direction": scenario.points, "facing": scenario.facing}
     initial = scenario.initial.state()
     if scenario.dimensions == 3:
-        each = draws_of_several(scenario.names, *counts, direction=scenario.points, **known)
+        each = draws_of_several(scenario.names, *counts, **turned, **known)
         draw = each[member.motion][member.sample]
         with scenario.naming_keys():
             return replay(scenario.scene(option), draw, motion, scale, gravity, initial)

@@ -57,6 +57,7 @@ def assumptions(verdict: Verdict) -> list[Assumption]:
     if scenario.plan is not None:
         return _of_a_room(verdict)
     stands = [_furniture(scenario)] if scenario.alone else [*_pieces(scenario)]
+    in_space = scenario.dimensions == 3
     between: list[Assumption] = []
     if not scenario.alone:
         between = [*_drawn_between(scenario), *settlement_assumptions(scenario), *_rolling(scenario)]
@@ -66,9 +67,10 @@ def assumptions(verdict: Verdict) -> list[Assumption]:
         *_room(scenario, scenario.room.room(), measures),
         *_contents(scenario),
         *_shaking(scenario, verdict.motions),
+        *([Assumption(phrase("room_report.direction"), *_direction(scenario.points))] if in_space else ()),
         *_draws(scenario.uncertainty),
         *between,
-        _limit("report.limit_body" if scenario.alone else "several.limit_body"),
+        _limit("several.limit_body" if in_space else "report.limit_body"),
         *(_limit(f"report.limit_{key}") for key in ("contacts", "devices")),
     ]
 
@@ -84,7 +86,7 @@ def _of_a_room(verdict: Verdict) -> list[Assumption]:
         *(_limit(f"report.limit_{key}") for key in ("contacts", "devices")),
         *settlement_assumptions(scenario),
         *_rolling(scenario),
-        Assumption(phrase("room_report.direction"), *_direction(scenario.direction)),
+        Assumption(phrase("room_report.direction"), *_direction(scenario.points)),
         *_pieces(scenario),
         *_room(scenario, scenario.surroundings(), measures, gaps=False),
         *_shaking(scenario, verdict.motions),
@@ -134,7 +136,9 @@ def _furniture(scenario: Scenario) -> Assumption:
     table, body = scenario.piece, scenario.piece.body()
     x, z = body.centre_of_gravity
     forward = _text("forward", across=x) if x else ""
-    value = _text("piece_text", width=body.width, height=body.height, mass=body.mass, up=z, forward=forward)
+    length = "" if body.length is None else _text("length", length=body.length)
+    sizes = {"width": body.width, "length": length, "height": body.height, "mass": body.mass}
+    value = _text("piece_text", **sizes, up=z, forward=forward)
     return Assumption(_text("piece"), value, furniture_tag(table))
 
 
