@@ -6,7 +6,6 @@ option that leaves it as it is.
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
@@ -21,7 +20,7 @@ from stayput.montecarlo.runs import Runs
 from stayput.montecarlo.sampling import drawn_floor
 from stayput.montecarlo.scene_draws import drawn_scene, drawn_shaking
 from stayput.simulation.groups import Group, groups_at_first, run_in_groups
-from stayput.simulation.space import ENDS, names_of, results_of, run_of_trace, trace_groups, trace_together
+from stayput.simulation.space import names_of, results_of, run_of_trace, trace_groups, trace_together
 from stayput.simulation.space_engine import STEP, SpaceShaking
 
 if TYPE_CHECKING:
@@ -217,10 +216,8 @@ class SceneRunner:
         (part, called, key), known = of.part(group), self._known.setdefault((motion, sample), {})
         if key not in known:
             draw = self.draw(motion, sample).of(group)
-            # of pieces that nothing can reach only what becomes of them is asked: it ends where all lie
             reached = len(of.at_first) > 1 or self._watch is not None
-            lies = math.inf if reached else ENDS
-            traced = trace_draw(part, draw, shaking, self._gravity, called, self._initial, lies)
+            traced = trace_draw(part, draw, shaking, self._gravity, called, self._initial)
             known[key] = _group_run(traced, shaking, tracked=reached)
         return known[key]
 
@@ -273,15 +270,12 @@ def trace_draw(
     gravity: float,
     names: Sequence[str | Phrase] = (),
     initial: State | None = None,
-    lies: float = math.inf,
     step: float = STEP,
 ) -> Trace:
     """Run the pieces of a scene together under one draw and its `drawn_shaking`; see `trace_together`."""
     floor = partial(drawn_floor, draw=draw.room)
     drawn = drawn_scene(scene, draw)
-    return trace_together(
-        drawn, shaking, gravity, step, draw.room.strength, floor, names, initial=initial, lies=lies
-    )
+    return trace_together(drawn, shaking, gravity, step, draw.room.strength, floor, names, initial)
 
 
 def replay(

@@ -17,7 +17,7 @@ from stayput.montecarlo.scene_draws import drawn_shaking, draws_of_several
 from stayput.montecarlo.scenes import SceneRunner, trace_draw
 from stayput.simulation.many import prepared_motion
 from stayput.simulation.placing import placed
-from stayput.simulation.space import ENDS, warn_of_settlement
+from stayput.simulation.space import warn_of_settlement
 from stayput.simulation.tracks import at_rest
 from stayput.verification.events import Watcher
 
@@ -197,7 +197,7 @@ class Contest:
         draw = self.runner.draw(motion, 0)
         shaken = drawn_shaking(floors.motions[motion], scale, draw, gravity)
         fine, scene = shaken.refined(parts(shaken.dt)), self.scene(option)
-        traced = trace_draw(scene, draw, fine, gravity, scene.names, scenario.initial.state(), ENDS)
+        traced = trace_draw(scene, draw, fine, gravity, scene.names, scenario.initial.state())
         case = traced.bodies[0].floor.copy()
         case["gravity"] = gravity
         return Carrier.of_trace(case, fine, traced, height)
