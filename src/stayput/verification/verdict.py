@@ -291,7 +291,8 @@ class Verdict(InJson):
             f"{option.option.name} {option.probabilities[OVERTURNED].text}" for option in self.options[:3]
         )
         more = f", and {len(self.options) - 3} more" if len(self.options) > 3 else ""
-        return f"Verdict(JMA {self.intensity:.2f}; overturned: {ranked}{more})"
+        draft = "" if self.complete else "; not complete"
+        return f"Verdict(JMA {self.intensity:.2f}; overturned: {ranked}{more}{draft})"
 
     def _repr_html_(self) -> str:
         from stayput.report.notebook import verdict_html

@@ -94,7 +94,7 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         "slide_limit_m": verdict.slide_limit,
         **attributes(verdict, "motions", "samples", "runs"),
         "settled_runs": verdict.settled,
-        **attributes(verdict, "seed", "precise", "seconds"),
+        **attributes(verdict, "seed", "precise", "seconds", "complete"),
         "engine": "plane" if verdict.scenario.dimensions == 2 else "space",
         "direction_rad": verdict.scenario.direction,  # None: drawn, or along the depth
         "grades": {grade.value: by_language(meaning) for grade, meaning in MEANINGS.items()},
