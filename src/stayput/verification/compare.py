@@ -122,10 +122,11 @@ def compare(
         def run(_: list[int], samples: int, start: int) -> list[Runs]:
             return contest.run(options, samples, start, keep=scenario.plan is not None)
 
+        first = FIRST_SAMPLES if contest.in_plane else -(-FIRST_RUNS // settings.motions)
         if on_verdict is not None and not contest.in_plane and scenario.has_a_plane:
             # what the plane says meanwhile, as if the file asked for it; its runs do not count
             draft = Contest(scenario.in_plane(), limit, threads, advance=lambda _runs: count(0))
-            few = min(settings.samples, FIRST_SAMPLES)
+            few = min(settings.samples, first)
             so_far(draft.run(options, few), few, draft)
         # All options go on together, since they are compared sample by sample.
         here, samples, precise = sample_until_precise(
@@ -133,7 +134,7 @@ def compare(
             settings,
             run,
             together=True,
-            first=FIRST_SAMPLES if contest.in_plane else -(-FIRST_RUNS // settings.motions),
+            first=first,
             on_batch=None if on_verdict is None else tell,
         )
         verdict = so_far(here, samples)
