@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
 
     from stayput.motion.record import Motion
+    from stayput.scenario import Scenario
     from stayput.simulation.piece import Piece
     from stayput.uncertainty import Marginal
 
@@ -114,6 +115,24 @@ def draws_of_several(
         return DrawOfSeveral(pieces, between, joints, lean, points - facing)
 
     return [[draw(motion, sample) for sample in range(samples)] for motion in range(motions)]
+
+
+def draws_of_scenario(
+    scenario: Scenario, motions: int, samples: int, start: int = 0
+) -> list[list[DrawOfSeveral]]:
+    """Return the draws of what a scenario states, along the axes of what stands; see `draws_of_several`."""
+    stated = scenario.uncertainty
+    return draws_of_several(
+        scenario.names,
+        motions,
+        samples,
+        stated.seed,
+        start,
+        as_stated=stated.as_stated,
+        quantities=stated.quantities,
+        direction=scenario.points,
+        facing=scenario.facing,
+    )
 
 
 def drawn_scene(scene: Scene, draw: DrawOfSeveral) -> Scene:

@@ -120,15 +120,15 @@ class SceneRunner:
         self._draws: list[list[DrawOfSeveral]] = [[] for _ in floors.motions]
         self._known: dict[tuple[int, int], dict[str, GroupRun]] = {}
 
-    def under(self, floors: FloorMotions) -> SceneRunner:
-        """Return the same under other motions."""
+    def under(self, floors: FloorMotions, advance: Callable[[int], None] | None = None) -> SceneRunner:
+        """Return the same under other motions, which knows of no run yet; another ``advance`` if given."""
         return SceneRunner(
             self._drawn,
             floors,
             self._gravity,
             self._counted,
             threads=self.threads,
-            advance=self.advance,
+            advance=advance or self.advance,
             watch=self._watch,
             initial=self._initial,
         )
@@ -197,7 +197,7 @@ class SceneRunner:
         group = next(group for group in of.at_first if body in group)
 
         def run(motion: int, sample: int) -> NDArray[np.void]:
-            ran = self._group(of, group, motion, sample, self._shaking(motion, sample))
+            ran = self._group(of, group, motion, sample, self.shaking(motion, sample))
             return ran.devices[group.index(body)][0]
 
         self.draw(0, samples - 1)
@@ -207,7 +207,8 @@ class SceneRunner:
         self.advance(len(rows))
         return np.array(rows).reshape(len(self.floors.motions), samples, -1)
 
-    def _shaking(self, motion: int, sample: int) -> SpaceShaking:
+    def shaking(self, motion: int, sample: int) -> SpaceShaking:
+        """Return how the floor shakes in a member."""
         floor, scale = self.floors.motions[motion], float(self.floors.scales[motion])
         return drawn_shaking(floor, scale, self.draw(motion, sample), self._gravity)
 
@@ -225,7 +226,7 @@ class SceneRunner:
         self, parts: Sequence[_Parts], motion: int, sample: int
     ) -> Generator[tuple[dict[Group, GroupRun], Seen | None]]:
         """Yield the runs of all scenes under one draw."""
-        shaking = self._shaking(motion, sample)
+        shaking = self.shaking(motion, sample)
         for of in parts:
             run = partial(self._group, of, motion=motion, sample=sample, shaking=shaking)
             groups = run_in_groups(of.at_first, run, lambda ran: ran.tracks)
@@ -318,7 +319,7 @@ def _runs(
     """Return the runs of an option, by motion and by sample within it."""
     count = len(scene.pieces)
     results = np.zeros((*shape, count), RESULT)
-    rows, tracks = list[Any](), np.empty((*shape, count), object)
+    made, tracks = dict[tuple[int, ...], Any](), np.empty((*shape, count), object)
     for place, (groups, _) in zip(np.ndindex(*shape), members, strict=True):
         of_pieces, of_joints = dict[int, Any](), dict[int, Any]()
         for group, ran in groups.items():
@@ -330,13 +331,13 @@ def _runs(
                 n: (ran.devices[-1][0][k : k + 1], ran.devices[-1][1][k : k + 1])
                 for k, n in enumerate(inside)
             }
-        rows.append([*(of_pieces[n] for n in sorted(of_pieces)), *(of_joints[n] for n in sorted(of_joints))])
-    # of a run that was not made nothing is known; its devices are as many as those of the others
-    made = [[np.concatenate(columns) for columns in zip(*row, strict=True)] for row in rows if row]
-    none: list[Any] = [np.zeros(0, DEVICE), np.zeros(0)]
-    none, each = [np.zeros_like(column) for column in made[0]] if made else none, iter(made)
-    by_run = [next(each) if row else none for row in rows]
-    devices, used = (np.stack([run[which] for run in by_run]).reshape(*shape, -1) for which in (0, 1))
+        if groups:  # else this run was not made
+            held = *map(of_pieces.__getitem__, range(count)), *map(of_joints.__getitem__, sorted(of_joints))
+            made[place] = [np.concatenate(columns) for columns in zip(*held, strict=True)]
+    number = max((len(used) for _, used in made.values()), default=0)
+    devices, used = np.zeros((*shape, number), DEVICE), np.zeros((*shape, number))
+    for place, columns in made.items():
+        devices[place], used[place] = columns
     seen = [seen for _, seen in members if seen is not None]
     watched = [np.array(column).reshape(*shape, *np.shape(column[0])) for column in zip(*seen, strict=True)]
     counted_results = results[..., counted]

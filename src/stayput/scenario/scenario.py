@@ -6,7 +6,7 @@ import math
 from functools import cached_property, partial
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self, cast
 
 from pydantic import Field, PrivateAttr, model_validator
 
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from stayput.contents.contents import Contents
     from stayput.measures import Measure
     from stayput.motion.record import Motion
-    from stayput.simulation.run import Run
+    from stayput.simulation.run import Dimensions, Run
 
 OF_A_LONE_PIECE = ("initial", "everyday", "measures", "contents")
 """Keys of a piece that stands alone."""
@@ -328,7 +328,7 @@ class Scenario(SceneTables):
             initial=self.initial.state(),
             gravity=self.gravity,
             measures=tuple(measures),
-            dimensions=3 if self.stated_dimensions == 3 else 2 if self.stated_dimensions == 2 else None,
+            dimensions=cast("Dimensions | None", self.stated_dimensions),
         )
 
     def run(self, measures: Sequence[Measure] = ()) -> Run:

@@ -105,7 +105,7 @@ def compare(
                 estimates=estimates,
                 motions=settings.motions,
                 samples=samples,
-                runs=count.done or len(options) * settings.motions * samples,
+                runs=len(options) * settings.motions * samples,
                 seed=settings.seed,
                 seconds=time.perf_counter() - began,
                 impossible=impossible,

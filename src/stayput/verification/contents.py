@@ -2,29 +2,32 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from stayput.contents.carrier import Carrier
+from stayput.contents.carrier import Carrier, parts
 from stayput.contents.contents import emptied, opened
 from stayput.contents.spill import Spill, spill_of
 from stayput.errors import InputError
 from stayput.execution import Pool
 from stayput.fragility.probabilities import Probability, probability, probability_of_counts
-from stayput.montecarlo.sampling import DrawTable, draws
+from stayput.montecarlo.hazard import PreparedFloor
+from stayput.montecarlo.runs import run_level
+from stayput.montecarlo.sampling import DrawTable, draws, rows_of
+from stayput.montecarlo.scenes import trace_draw
 from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from numpy.typing import NDArray
 
     from stayput.contents.contents import Contents
     from stayput.model.body import Body
-    from stayput.montecarlo.hazard import PreparedFloor
+    from stayput.montecarlo.runs import Runs
     from stayput.montecarlo.sampling import Rows
     from stayput.scenario.option import Option
     from stayput.verification.contest import Contest
@@ -126,24 +129,71 @@ def contents_verdicts(contest: Contest, options: Sequence[Option]) -> list[Conte
     if contents is None:
         return [None] * len(options)
     body = scenario.piece.body()
+    run, carrier = (_in_plane if contest.in_plane else _in_space)(contest, options)
 
     def overturns(other: Body) -> list[Probability]:
         """Return how often another body overturns, by option."""
-        runs = contest.run_with(other, options, motions=MOTIONS)
-        return [probability(outcomes.overturned, outcomes.missing) for outcomes in runs]
+        each = run(other)
+        return [probability(runs.overturned[:MOTIONS], runs.missing[:MOTIONS]) for runs in each]
 
-    spilt = _followed(contest, options, body, contents)
+    shape = len(options), min(contest.settings.motions, MOTIONS)
+    spilt = _followed(carrier, shape, body, contents, contest.threads)
     less = overturns(emptied(body, contents))
     wide: Sequence[Probability | None] = [None] * len(options)
     if contents.drawers != "none":
         try:
             pulled_out = opened(body, contents, OPEN * body.width)
         except InputError:  # it falls as the drawers open, before anything shakes it
-            fallen = np.ones((len(spilt[0]), 1), np.bool_)
+            fallen = np.ones((shape[1], 1), np.bool_)
             wide = [probability(fallen, ~fallen)] * len(options)
         else:
             wide = overturns(pulled_out)
     return [_verdict(*each, contents) for each in zip(spilt, less, wide, strict=True)]
+
+
+FirstRuns: TypeAlias = "tuple[Callable[[Body], list[Runs]], Callable[[int, int], Carrier]]"
+"""How options run with another body, and how the piece moves with one under a motion: by first draws."""
+
+
+def _in_plane(contest: Contest, options: Sequence[Option]) -> FirstRuns:
+    scenario, settings, floors = contest.scenario, contest.settings, contest.floors
+    drawn = first_draws(settings.motions, settings.seed, settings.as_stated, settings.quantities)
+    floors = replace(floors, motions=floors.motions[:MOTIONS], scales=floors.scales[:MOTIONS])
+    body, room, stands = scenario.piece.body(), scenario.room.room(), scenario.initial.state()
+
+    def rows(other: Body) -> list[Rows]:
+        return [rows_of(other, room, each.measures, drawn, settings.gravity, stands) for each in options]
+
+    def run(other: Body) -> list[Runs]:
+        return run_level(rows(other), floors, threads=contest.threads)
+
+    mine, floor = rows(body), PreparedFloor.of(floors.motions, floors.scales)
+    return run, lambda place, motion: _carrier_under(mine[place], motion, floor, body.height)
+
+
+def _in_space(contest: Contest, options: Sequence[Option]) -> FirstRuns:
+    scenario, settings, runner = contest.scenario, contest.settings, contest.runner
+    scenes, stands = [*map(contest.scene, options)], scenario.initial.state()
+
+    def run(other: Body) -> list[Runs]:
+        others = [
+            replace(scene, pieces=[replace(piece, body=other) for piece in scene.pieces]) for scene in scenes
+        ]
+        chosen = np.tile(np.arange(settings.motions) < MOTIONS, (len(options), 1))
+        # a runner of its own: scenes are known without their bodies; as in the plane its runs do not count
+        anew = runner.under(contest.floors, lambda _runs: contest.advance(0))
+        with scenario.naming_keys():
+            return anew.run(others, 1, chosen=chosen)
+
+    def carrier(place: int, motion: int) -> Carrier:
+        scene, shaken = scenes[place], runner.shaking(motion, 0)
+        fine = shaken.refined(parts(shaken.dt))
+        traced = trace_draw(scene, runner.draw(motion, 0), fine, settings.gravity, scene.names, stands)
+        case = traced.bodies[0].floor.copy()
+        case["gravity"] = settings.gravity
+        return Carrier.of_trace(case, fine, traced, scenario.piece.body().height)
+
+    return run, carrier
 
 
 def runs_of_contents(contents: Contents, motions: int) -> int:
@@ -188,10 +238,14 @@ def spilt_under(
     leaving : bool
         Whether to follow an item of each shelf until it leaves a piece that stands.
     """
+    return _spilt_by(_carrier_under(rows, number, floor, body.height), body, contents, leaving=leaving)
+
+
+def _carrier_under(rows: Rows, number: int, floor: PreparedFloor, height: float) -> Carrier:
+    """Return how a piece moves in the plane under the motion of a number."""
     case = rows.cases[number].copy()
     case["scale"] = floor.scales[number]
-    carrier = Carrier.of(case, rows.elements[number], floor.shakings[number], body.height)
-    return _spilt_by(carrier, body, contents, leaving=leaving)
+    return Carrier.of(case, rows.elements[number], floor.shakings[number], height)
 
 
 def _spilt_by(carrier: Carrier, body: Body, contents: Contents, *, leaving: bool) -> Spill | None:
@@ -209,19 +263,21 @@ def share_out(spilt: Sequence[Spill | None], contents: Contents) -> Probability:
 
 
 def _followed(
-    contest: Contest, options: Sequence[Option], body: Body, contents: Contents
+    carrier: Callable[[int, int], Carrier],
+    shape: tuple[int, int],
+    body: Body,
+    contents: Contents,
+    threads: int | None,
 ) -> list[list[Spill | None]]:
-    """Return what comes out with each option under the first draw of each motion."""
-    motions = min(contest.settings.motions, MOTIONS)
-    spills: list[list[Spill | None]] = [[None] * motions for _ in options]
+    """Return what comes out with each option under each motion."""
+    options, motions = shape
+    spills: list[list[Spill | None]] = [[None] * motions for _ in range(options)]
 
     def follow(place: int, number: int) -> tuple[int, int, Spill | None]:
-        carrier = contest.carrier(options[place], number)
-        return place, number, _spilt_by(carrier, body, contents, leaving=True)
+        return place, number, _spilt_by(carrier(place, number), body, contents, leaving=True)
 
-    with Pool(contest.threads) as pool:
-        each = (partial(follow, *at) for at in np.ndindex(len(options), motions))
-        for _, (place, number, spilt) in pool.as_completed(each):
+    with Pool(threads) as pool:
+        for _, (place, number, spilt) in pool.as_completed(partial(follow, *at) for at in np.ndindex(*shape)):
             spills[place][number] = spilt
     return spills
 

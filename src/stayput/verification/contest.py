@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import fields, replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.contents.carrier import Carrier, parts
 from stayput.measures import Element, hold
-from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import Falls, Runs, calm_scenes, run_level, run_levels, settled_levels
 from stayput.montecarlo.sampling import Rows, Settings, draws, rows_of
-from stayput.montecarlo.scene_draws import drawn_shaking, draws_of_several
-from stayput.montecarlo.scenes import SceneRunner, trace_draw
-from stayput.simulation.many import prepared_motion
+from stayput.montecarlo.scene_draws import draws_of_scenario
+from stayput.montecarlo.scenes import SceneRunner
 from stayput.simulation.placing import placed
 from stayput.simulation.space import warn_of_settlement
 from stayput.simulation.tracks import at_rest
@@ -26,7 +23,6 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.model.body import Body
     from stayput.model.floor_plan import FloorPlan
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.scenario import Scenario
@@ -78,14 +74,10 @@ class Contest:
         self.floors = self.hazard.stated_by(scenario, threads, times)
         self.settings = Settings.of(scenario, len(self.floors.motions), slide_limit)
         self.watcher = None if scenario.plan is None else Watcher()
-        self._stated: dict[str, Any] = {
-            "as_stated": self.settings.as_stated,
-            "quantities": self.settings.quantities,
-        }
         self._last: tuple[object, list[Rows]] = None, []
         self._scenes: dict[int, tuple[Option, Scene]] = {}
         self.runner = SceneRunner(
-            self._drawn,
+            partial(draws_of_scenario, scenario, self.settings.motions),
             self.floors,
             self.settings.gravity,
             scenario.counted,
@@ -94,12 +86,6 @@ class Contest:
             watch=self.watcher,
             initial=scenario.initial.state(),
         )
-
-    def _drawn(self, samples: int, start: int) -> Any:
-        scenario, settings = self.scenario, self.settings
-        place = settings.motions, samples, settings.seed, start
-        turned: dict[str, Any] = {"direction": scenario.points, "facing": scenario.facing}
-        return draws_of_several(scenario.names, *place, **turned, **self._stated)
 
     @property
     def in_plane(self) -> bool:
@@ -141,20 +127,15 @@ class Contest:
             *(((scene.names[joint.first], scene.names[joint.second]), None) for joint in scene.joints),
         ]
 
-    def rows(
-        self, options: Sequence[Option], samples: int, start: int = 0, body: Body | None = None
-    ) -> list[Rows]:
-        """Return the rows of options of a lone piece in the plane, for some samples of each motion.
-
-        With another ``body`` it is as empty, or as wide open, as that.
-        """
-        asked = tuple(options), samples, start, body
+    def rows(self, options: Sequence[Option], samples: int, start: int = 0) -> list[Rows]:
+        """Return the rows of options of a lone piece in the plane, for some samples of each motion."""
+        asked = tuple(options), samples, start
         if asked == self._last[0]:
             return self._last[1]
         scenario, settings = self.scenario, self.settings
-        body, room = body or scenario.piece.body(), scenario.room.room()
+        body, room = scenario.piece.body(), scenario.room.room()
         place = settings.motions, samples, settings.seed, start
-        drawn = draws(*place, **self._stated)
+        drawn = draws(*place, as_stated=settings.as_stated, quantities=settings.quantities)
         stands = settings.gravity, scenario.initial.state()
         rows = [rows_of(body, room, option.measures, drawn, *stands) for option in options]
         self._last = asked, rows
@@ -169,38 +150,6 @@ class Contest:
             return run_level(rows, self.floors, threads=self.threads, progress=self.advance)
         with self.scenario.naming_keys():
             return self.runner.run([*map(self.scene, options)], samples, start, keep=keep)
-
-    def run_with(self, body: Body, options: Sequence[Option], motions: int) -> list[Outcomes]:
-        """Run options of a lone piece with another body under the first draws of the first motions."""
-        if self.in_plane:
-            runs = run_level(self.rows(options, 1, body=body), self.floors, threads=self.threads)
-        else:
-            scenes = [
-                replace(scene, pieces=[replace(piece, body=body) for piece in scene.pieces])
-                for scene in map(self.scene, options)
-            ]
-            chosen = np.tile(np.arange(self.settings.motions) < motions, (len(options), 1))
-            # by a runner of its own, since the scenes tell nothing of another body
-            runs = self.runner.under(self.floors).run(scenes, 1, chosen=chosen)
-        columns = [[getattr(each, field.name)[:motions] for field in fields(Outcomes)] for each in runs]
-        return [Outcomes(*each) for each in columns]
-
-    def carrier(self, option: Option, motion: int) -> Carrier:
-        """Return how a lone piece moves with an option under the first draw of a motion."""
-        scenario, floors, gravity = self.scenario, self.floors, self.settings.gravity
-        height, scale = scenario.piece.body().height, float(floors.scales[motion])
-        if self.in_plane:
-            (rows,) = self.rows([option], 1)
-            case = rows.cases[motion].copy()
-            case["scale"] = scale
-            return Carrier.of(case, rows.elements[motion], prepared_motion(floors.motions[motion], 2), height)
-        draw = self.runner.draw(motion, 0)
-        shaken = drawn_shaking(floors.motions[motion], scale, draw, gravity)
-        fine, scene = shaken.refined(parts(shaken.dt)), self.scene(option)
-        traced = trace_draw(scene, draw, fine, gravity, scene.names, scenario.initial.state())
-        case = traced.bodies[0].floor.copy()
-        case["gravity"] = gravity
-        return Carrier.of_trace(case, fine, traced, height)
 
     def devices_of(self, option: Option, body: int) -> NDArray[np.void]:
         """Return what became of what holds a piece of a scene; see `SceneRunner.devices_of`."""

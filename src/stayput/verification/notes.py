@@ -205,7 +205,7 @@ def _engine(scenario: Scenario) -> Iterator[Phrase]:
     if scenario.dimensions == 3:
         drawn = scenario.points is None
         turned = math.remainder(scenario.facing - (scenario.points or 0.0), 2.0 * math.pi)
-        heading = round(math.degrees(turned)) + 0.0
+        heading = round(math.degrees(turned))  # a whole number: no −0
         yield phrase("verification.in_space_drawn" if drawn else "verification.in_space", heading=heading)
     elif scenario.shakes_across:
         yield phrase("verification.no_length" if body.length is None else "verification.in_plane")

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from stayput.measures.element import device_results
 from stayput.mechanics.runner import shaking, trace
 from stayput.model.flat_fields import case_columns
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import drawn_held, draws
-from stayput.montecarlo.scene_draws import draws_of_several
+from stayput.montecarlo.scene_draws import draws_of_scenario
 from stayput.montecarlo.scenes import replay
 from stayput.motion.suites.suite import Suite
 from stayput.simulation.case import Case, run_of
@@ -56,17 +56,15 @@ def drawn_run(scenario: Scenario, option: Option, member: Member) -> Run:
         Which motion, and which draw.
     """
     (motion, scale), stated = floor_motion(scenario, member), scenario.uncertainty
-    counts, gravity = (member.motion + 1, member.sample + 1, stated.seed), scenario.gravity
-    known: dict[str, Any] = {"as_stated": stated.as_stated, "quantities": stated.quantities}
-    turned: dict[str, Any] = {"direction": scenario.points, "facing": scenario.facing}
+    counts, gravity = (member.motion + 1, member.sample + 1), scenario.gravity
     initial = scenario.initial.state()
     if scenario.dimensions == 3:
-        each = draws_of_several(scenario.names, *counts, **turned, **known)
-        draw = each[member.motion][member.sample]
+        draw = draws_of_scenario(scenario, *counts)[member.motion][member.sample]
         with scenario.naming_keys():
             return replay(scenario.scene(option), draw, motion, scale, gravity, initial)
     scaled = motion.scaled(scale)
-    draw = draws(*counts, **known)[member.motion][member.sample]
+    each = draws(*counts, stated.seed, as_stated=stated.as_stated, quantities=stated.quantities)
+    draw = each[member.motion][member.sample]
     body, room = scenario.piece.body(), scenario.room.room()
     held, elements = drawn_held(body, room, option.measures, draw)
     row = case_columns(held.body, held.room, initial, gravity)
