@@ -1,16 +1,17 @@
-"""Verifications: what it saves not to run what stronger shaking tells, and how often such rules are wrong.
+"""Verifications: what it saves not to run what other levels tell, and how often that rule is wrong.
 
 ``python benchmarks/verification.py speed [MOTIONS SAMPLES TURNS]``: all runs, and those that are needed, in
-turns, of a bookcase with the usual measures; 40 motions, 640 samples and 3 turns where nothing is said.
-``python benchmarks/verification.py rule [SCENARIOS]``: full grids of drawn scenarios, 140 where nothing is
-said; of the runs that a rule settles, those that fall all the same, by the tilt and slide of a calm run.
+turns, of a bookcase with the usual measures; 20 motions, 40 samples and 1 turn where nothing is said.
+``python benchmarks/verification.py rule [SCENARIOS IN_SPACE]``: all runs of drawn scenarios in the plane and
+in space, 140 and 8 where nothing is said, beside those that the rule settles and what it makes of the curves.
 """
 
 from __future__ import annotations
 
 import sys
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cache
 from statistics import median
 from typing import TYPE_CHECKING, Any
 
@@ -21,17 +22,18 @@ from rich.table import Table
 
 import workload as work
 from stayput.errors import InputError
+from stayput.fragility.curve import fragility_curve
+from stayput.fragility.intensity_measures import JMA_INTENSITY
+from stayput.fragility.trials import Trials
+from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.montecarlo.hazard import Hazard
-from stayput.montecarlo.runs import CALM_SLIDE, CALM_TILT, GROUP, group_starts, overturning_tilts, run_level
-from stayput.montecarlo.sampling import draws, rows_of
-from stayput.report.verdict.data import verdict_data
 from stayput.scenario import Scenario
 from stayput.verification import LEVELS, verify
+from stayput.verification.compare import CAPACITIES
+from stayput.verification.contest import Contest
 from stayput.verification.options import compared_options
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from numpy.typing import NDArray
 
     from stayput.verification import Verdict
@@ -51,13 +53,7 @@ def bookcase(motions: int, samples: int) -> Scenario:
     )
 
 
-def told(verdict: Verdict) -> dict[str, Any]:
-    """All that a verdict says, but how it was come by."""
-    data = verdict_data(verdict)
-    return {name: data[name] for name in data.keys() - {"runs", "settled_runs", "seconds"}}
-
-
-def speed(motions: int = 40, samples: int = 640, turns: int = 3) -> Table:
+def speed(motions: int = 20, samples: int = 40, turns: int = 1) -> Table:
     """Time both kinds of verification in turns."""
     scenario = bookcase(motions, samples)
     verify(bookcase(2, 2), progress=False)  # compiles
@@ -68,37 +64,21 @@ def speed(motions: int = 40, samples: int = 640, turns: int = 3) -> Table:
             processor = time.process_time()
             verdicts[every_run] = verify(scenario, every_run=every_run, progress=False)
             spent[every_run].append((verdicts[every_run].seconds, time.process_time() - processor))
-    same = "yes" if told(verdicts[True]) == told(verdicts[False]) else "NO"
+    pairs = zip(verdicts[True].options, verdicts[False].options, strict=True)
+    shifts = [abs(one.capacities[0.5].estimate - other.capacities[0.5].estimate) for one, other in pairs]
     table = Table(
         title=f"{motions} motions, {samples} samples, {work.cores()} cores; median of the turns",
         title_justify="left",
     )
-    for heading in ("verification", "runs", "settled", "wall [s]", "processor [s]", "same verdict"):
+    for heading in ("verification", "runs", "settled", "wall [s]", "processor [s]", "largest shift of I50"):
         table.add_column(heading, justify="right")
     for every_run, verdict in verdicts.items():
         wall, processor = (median(values) for values in zip(*spent[every_run], strict=True))
         name = "every run" if every_run else "as usual"
-        table.add_row(
-            name, f"{verdict.runs:,}", f"{verdict.settled:,}", f"{wall:.1f}", f"{processor:.1f}", same
-        )
+        shift = "" if every_run else f"{np.nanmax(shifts):.3f}"
+        numbers = f"{verdict.runs:,}", f"{verdict.settled:,}", f"{wall:.1f}", f"{processor:.1f}"
+        table.add_row(name, *numbers, shift)
     return table
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Grid:
-    """Every run of a scenario, shape [options, levels, motions, samples] each.
-
-    Parameters
-    ----------
-    fell : ndarray of bool
-        Whether it overturned or was given up.
-    tilt, slide : ndarray
-        Peak tilt over the overturning one; peak slide over the width of the base.
-    """
-
-    fell: NDArray[np.bool_]
-    tilt: NDArray[np.float64]
-    slide: NDArray[np.float64]
 
 
 PRESETS = ("bookcase", "empty bookcase", "cupboard", "chest", "refrigerator", "television", "server rack")
@@ -122,7 +102,7 @@ MEASURES = (
 MOTIONS, SAMPLES = 8, 8
 
 
-def drawn(seed: int) -> Scenario:
+def drawn(seed: int, **further: Any) -> Scenario:
     """Draw a scenario of any kind: half of them in a building, half with measures of drawn strength."""
     rng = np.random.default_rng(seed)
 
@@ -132,6 +112,7 @@ def drawn(seed: int) -> Scenario:
     furniture: dict[str, Any] = {"preset": str(rng.choice(PRESETS))}
     if rng.random() < 0.3:
         furniture = {"width": between(0.15, 0.8), "height": between(0.5, 2.2), "mass": between(10.0, 400.0)}
+        furniture["length"] = between(0.2, 1.2)
     friction = between(0.15, 1.2)
     room: dict[str, Any] = {
         "floor": str(rng.choice(FLOORS))
@@ -158,99 +139,78 @@ def drawn(seed: int) -> Scenario:
                 table["strength"] = between(100.0, 3000.0)
         tables["measures"] = chosen
     tables["uncertainty"] = {"samples": MOTIONS * SAMPLES, "seed": seed + 1}
-    return Scenario.parse(tables)
+    return Scenario.parse(tables | further)
 
 
-def grid(scenario: Scenario) -> Grid:
-    """Run all options of a scenario at all levels."""
-    (options, _), shaking = compared_options(scenario), scenario.shaking
-    ground = shaking.ground(scenario.folder)
-    hazard = Hazard.of(scenario, ground=ground)
-    draw = draws(len(ground), SAMPLES, scenario.uncertainty.seed)
-    body, room = scenario.piece.body(), scenario.room.room()
-    rows = [rows_of(body, room, option.measures, draw, scenario.gravity) for option in options]
-    by_level = [run_level(rows, hazard.at(float(level))) for level in LEVELS]
+@dataclass(slots=True)
+class Count:
+    """How often the rule is wrong.
 
-    def column(name: str) -> NDArray[Any]:
-        return np.stack([[getattr(runs, name) for runs in level] for level in by_level], axis=1)
+    Parameters
+    ----------
+    runs, made : int
+        All runs of the curves, and those that are made.
+    falls, stands : int
+        Settled runs that are told to stand but fall, and the other way round.
+    shifts : list of ndarray, shape (2,)
+        By how much the intensities at which 10 % and 50 % overturn move.
+    """
 
-    cases = np.stack([option.cases for option in rows])
-    shape = (len(rows), 1, len(ground), SAMPLES)
-    overturning = np.stack([overturning_tilts(option) for option in cases]).reshape(shape)
-    width = (cases["u"][..., 1] - cases["u"][..., 0]).reshape(shape)
-    return Grid(
-        column("overturned") | column("missing"),
-        column("tilt") / overturning,
-        column("slide") / width,
-    )
+    runs: int = 0
+    made: int = 0
+    falls: int = 0
+    stands: int = 0
+    shifts: list[NDArray[np.float64]] = field(default_factory=list[Any])
 
+    def add(self, scenario: Scenario) -> None:
+        """Make all runs of a scenario, and those that are needed."""
+        (options, _), hazard = compared_options(scenario), Hazard.of(scenario)
+        contest = Contest(scenario, SLIDE_LIMIT, None, hazard=hazard)
+        stated = contest.run(options, contest.settings.samples)
+        floors_at = cache(hazard.at)
+        (every, runs), (few, made) = (
+            contest.falls(options, stated, LEVELS, floors_at, every_run=each) for each in (True, False)
+        )
+        self.runs, self.made = self.runs + runs, self.made + made
+        strength = np.stack([floors_at(float(level)).measures[JMA_INTENSITY] for level in LEVELS])
+        for true, told in zip(every, few, strict=True):
+            self.falls += int((true.overturned & ~told.overturned & ~told.missing).sum())
+            self.stands += int((told.overturned & ~true.overturned & ~true.missing).sum())
+            curves = (
+                fragility_curve(Trials.from_runs(JMA_INTENSITY, strength, each.overturned, each.missing))
+                for each in (true, told)
+            )
+            first, second = (np.array([curve.capacity(p).estimate for p in CAPACITIES]) for curve in curves)
+            self.shifts.append(second - first)
 
-def settled(runs: Grid, tilt: float, slide: float, group: int, successive: int) -> NDArray[np.bool_]:
-    """Which runs a rule settles: those below as many successive levels at which all of a group are calm."""
-    calm = ~runs.fell & (runs.tilt < tilt) & (runs.slide < slide)
-    if group > 1:
-        starts, motions = group_starts(*calm.shape[2:]), calm.shape[2]
-        together = np.logical_and.reduceat(calm.all(axis=3), starts, axis=2)
-        calm[:] = np.repeat(together, np.diff(starts, append=motions), axis=2)[..., np.newaxis]
-    decided = np.zeros_like(calm)
-    for level in reversed(range(calm.shape[1] - successive)):
-        enough = calm[:, level + 1 : level + 1 + successive].all(axis=1)
-        decided[:, level] = decided[:, level + 1] | enough
-    return decided
-
-
-def split(runs: Grid, samples: int) -> Iterator[Grid]:
-    """Split a grid into grids with so many samples of each motion."""
-    for first in range(0, SAMPLES, samples):
-        chosen = np.s_[..., first : first + samples]
-        yield Grid(*(getattr(runs, name)[chosen] for name in Grid.__slots__))
-
-
-RULES = {
-    "one run, one level": (SAMPLES, 1, 1),
-    "one run, two levels": (SAMPLES, 1, 2),
-    f"{GROUP} runs of one motion, one level": (SAMPLES, GROUP, 1),
-    f"{GROUP} runs of one motion, two levels": (SAMPLES, GROUP, 2),
-    f"{GROUP} runs of two motions, two levels": (SAMPLES // 2, GROUP, 2),
-    f"{GROUP} runs of four motions, two levels": (SAMPLES // 4, GROUP, 2),
-}
-"""Samples of each motion in the grid, runs in a group, levels at which they are calm."""
-
-MARGINS = [(tilt, CALM_SLIDE) for tilt in (0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0)] + [
-    (CALM_TILT, slide) for slide in (0.5, 1.0, np.inf)
-]
-"""Largest tilt and slide of a calm run."""
+    def row(self) -> list[str]:
+        """Return the numbers as they are shown."""
+        shifts, settled = np.array(self.shifts), self.runs - self.made
+        moved = np.abs(shifts[np.isfinite(shifts)])
+        return [
+            f"{self.runs:,}",
+            f"{self.made / self.runs:.1%}",
+            f"{self.falls / settled:.2%}",
+            f"{self.stands / settled:.2%}",
+            f"{np.nanmean(shifts):+.3f}",
+            *(f"{np.quantile(moved, q):.2f}" for q in (0.5, 0.9, 0.99, 1.0)),
+        ]
 
 
-def rule(scenarios: int = 140) -> Table:
-    """Count, for rules of several margins, the runs that fall though they were settled."""
-    wrong = {name: np.zeros(len(MARGINS), np.int64) for name in RULES}
-    decided_runs = dict.fromkeys(RULES, 0)
-    runs = above = stand = 0
-    for seed in track(range(scenarios), "Full grids", console=Console(stderr=True)):
-        try:
-            full = grid(drawn(seed))
-        except InputError:  # no measure can be put there, or the piece is higher than the room
-            continue
-        runs += full.fell.size
-        fell_below = np.logical_or.accumulate(full.fell, axis=1)[:, :-1]
-        above += int(fell_below.sum())
-        stand += int((fell_below & ~full.fell[:, 1:]).sum())
-        for name, (samples, group, successive) in RULES.items():
-            for part in split(full, samples):
-                for n, (tilt, slide) in enumerate(MARGINS):
-                    decided = settled(part, tilt, slide, group, successive)
-                    wrong[name][n] += (decided & part.fell).sum()
-                    if (tilt, slide) == (CALM_TILT, CALM_SLIDE):
-                        decided_runs[name] += int(decided.sum())
-    title = f"{runs:,} runs; of {above:,} at levels above one at which they fall, {stand:,} stand"
-    table = Table(title=title, title_justify="left")
-    table.add_column("calm")
-    table.add_column("settled", justify="right")
-    for tilt, slide in MARGINS:
-        table.add_column(f"{tilt:g}" + ("" if slide == CALM_SLIDE else f", {slide:g}"), justify="right")
-    for name, counts in wrong.items():
-        table.add_row(name, f"{decided_runs[name]:,}", *(f"{count:,}" for count in counts))
+def rule(scenarios: int = 140, in_space: int = 8) -> Table:
+    """Count how often the rule is wrong in either engine, and by how much the curves move."""
+    table = Table()
+    shifts = ("shift [JMA]", "median |shift|", "90 %", "99 %", "most")
+    for heading in ("engine", "runs", "made", "told to stand, falls", "told to fall, stands", *shifts):
+        table.add_column(heading, justify="right")
+    for engine, seeds, options in (("plane", scenarios, {"dimensions": 2}), ("space", in_space, {})):
+        count = Count()
+        for seed in track(range(seeds), engine, console=Console(stderr=True)):
+            try:
+                count.add(drawn(seed, **options))
+            except InputError:  # no measure can be put there, or the piece is higher than the room
+                continue
+        table.add_row(engine, *count.row())
     return table
 
 

@@ -50,7 +50,7 @@ def test_every_option_is_there_ranked_and_counted(verdict):
     assert (shares["none"] > 0.4, shares["l_bracket"]) == (True, 0.0)
     assert verdict.best.change.estimate < -0.4
     assert (verdict.motions, verdict.samples) == (5, 2)
-    assert verdict.runs == 3 * 5 * 2 * (1 + len(FEW))
+    assert verdict.runs + verdict.settled == 3 * 5 * 2 * (1 + len(FEW))
     for one in verdict.options:
         assert set(one.probabilities) == set(EVENTS)
         assert one.probabilities[OVERTURNED].runs == 10

@@ -181,8 +181,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "slide_limit": ("Slide that counts as too far [m].", "移動しすぎと見なす移動量 [m]"),
     "every_run": (
-        "Make also the runs that are counted as standing, being calm under stronger shaking.",
-        "より強い揺れで動きが小さく、転倒なしと見なす計算も省かずに行う",
+        "Make also the runs of the curves that weaker and stronger shaking tell.",
+        "より弱い揺れ・強い揺れの結果から分かる計算も省かずに行う",
     ),
     "im": (
         (

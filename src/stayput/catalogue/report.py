@@ -14,11 +14,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、各対策・各レベルで計算しました。",
     ),
     "settled_text": (
-        (
-            "; {settled} more at weaker shaking are counted as standing without a run, since the piece was far "
-            "from falling under stronger shaking"
-        ),
-        "ほかに弱い揺れでの{settled}回は、より強い揺れでも転倒にほど遠いため、計算せずに倒れないものと数えています。",
+        "; of {settled} more, weaker or stronger shaking with the same draw told whether the piece falls",
+        "ほかの{settled}回は、同じ条件でのより弱い揺れ・強い揺れの結果から、計算せずに判定しています。",
     ),
     "motions": ("Motions", "地震動"),
     "not_precise": (

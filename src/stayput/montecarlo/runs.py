@@ -1,18 +1,15 @@
 """Simulating Monte Carlo samples: at one level of shaking, and at many for fragility curves.
 
-At many levels the runs whose outcome others tell are not made. From the strongest level downwards: what
-stayed far from falling at two levels stands at all weaker ones. Rocking is not monotonic in the intensity, so
-this is no theorem but a rule with margins. None of 1,425,920 runs of drawn scenarios was settled wrongly, one
-without the limit on devices; `benchmarks/verification.py` counts that, for other margins too, and the manual
-has the table. There is no such rule upwards, from levels at which all fall: what falls at one level often
-stands at a stronger one, and is run quickly in any case.
+At many levels the runs whose outcome others tell are not made: a draw that stands at one level is taken to
+stand at all weaker ones, and one that falls to fall at all stronger ones, so that bisection finds where it
+begins to. Rocking is not monotonic in the intensity, so this is no theorem but a rule; it is wrong both ways
+about equally often. `benchmarks/verification.py` counts that, and the manual has the table.
 """
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
@@ -29,7 +26,6 @@ if TYPE_CHECKING:
 
     from stayput.montecarlo.hazard import FloorMotions, PreparedFloor
     from stayput.montecarlo.sampling import Rows
-    from stayput.simulation.piece import Piece
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -179,22 +175,6 @@ def run_prepared(rows: Sequence[Rows], floor: PreparedFloor) -> list[Outcomes]:
     return [Outcomes.of(result, bad) for result, bad in together]
 
 
-CALM_TILT = 0.3
-"""A calm run tilts less than this part of the angle at which the piece overturns."""
-
-CALM_SLIDE = 0.3
-"""A calm run slides less than this part of the width of the base: what slides far may meet a wall."""
-
-CALM_USE = 0.9
-"""The devices of a calm run bear less than this part of their strength, so that none fails."""
-
-GROUP = 8
-"""Fewest runs that are judged together: those of one motion or, of few samples, of several motions."""
-
-APART = 0.14
-"""Least difference of the two levels at which all of a group are calm [JMA]; the usual are 0.15 apart."""
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class Falls:
     """Falls of a piece with one set of measures at several levels.
@@ -209,23 +189,30 @@ class Falls:
     missing: NDArray[np.bool_]
 
 
+Known: TypeAlias = "tuple[NDArray[np.float64], Outcomes]"
+"""JMA intensities of the ground at another shaking, shape (motions,), and what became of the runs there."""
+
+
 def run_levels(
     rows: Sequence[Rows],
     levels: NDArray[np.float64],
     floors_at: Callable[[float], FloorMotions],
     *,
+    known: Sequence[Known] = (),
     every_run: bool = False,
     threads: int | None = None,
     progress: Callable[[int], None] | None = None,
 ) -> tuple[list[Falls], int]:
-    """Run several pieces or sets of measures at many levels, or settle from stronger ones that they stand.
+    """Run several pieces or sets of measures in the plane at many levels.
 
     Parameters
     ----------
     rows : sequence of Rows
         The cases of each.
-    levels, floors_at, every_run, progress
+    levels, known, every_run, progress
         As for `settled_levels`, which returns the same.
+    floors_at : callable
+        Returns the motions at a level; called as it is needed.
     threads : int, optional
         As many as there are cores by default. The bits do not depend on them.
     """
@@ -233,29 +220,29 @@ def run_levels(
     cases, elements, motion = joined_rows(rows, motions)
     shape = (len(rows), motions, len(cases) // (len(rows) * motions))
 
-    def run(floors: FloorMotions, unsettled: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], ...]:
-        chosen = np.flatnonzero(np.repeat(unsettled, shape[2]))
-        results, devices = _ran(cases[chosen], elements[chosen], motion[chosen], floors, threads, progress)
-        used = utilisation(elements[chosen], devices).max(axis=-1, initial=0.0)
-        flags = np.zeros((3, len(cases)), np.bool_)
-        flags[0, chosen] = results["outcome"] == OVERTURNED_OUTCOME
-        flags[1, chosen] = results["outcome"] == FAILED_OUTCOME
-        flags[2, chosen] = calm_runs(cases[chosen], results, used)
-        return tuple(flags.reshape(3, *shape))
+    def run(level: float, wanted: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        chosen = np.flatnonzero(wanted)
+        results, _ = _ran(
+            cases[chosen], elements[chosen], motion[chosen], floors_at(level), threads, progress
+        )
+        outcomes = np.zeros(len(cases), np.int64)
+        outcomes[chosen] = results["outcome"]
+        outcomes = outcomes.reshape(shape)
+        return outcomes == OVERTURNED_OUTCOME, outcomes == FAILED_OUTCOME
 
-    return settled_levels(shape, levels, floors_at, run, every_run=every_run, progress=progress)
+    return settled_levels(shape, levels, run, known=known, every_run=every_run, progress=progress)
 
 
 def settled_levels(
     shape: tuple[int, int, int],
     levels: NDArray[np.float64],
-    floors_at: Callable[[float], FloorMotions],
-    run: Callable[[FloorMotions, NDArray[np.bool_]], tuple[NDArray[np.bool_], ...]],
+    run: Callable[[float, NDArray[np.bool_]], tuple[NDArray[np.bool_], NDArray[np.bool_]]],
     *,
+    known: Sequence[Known] = (),
     every_run: bool = False,
     progress: Callable[[int], None] | None = None,
 ) -> tuple[list[Falls], int]:
-    """Run at many levels, the strongest first, but what stronger ones settle: that it stands.
+    """Find by bisection from which level on each draw falls; the levels beside are settled without a run.
 
     Parameters
     ----------
@@ -263,13 +250,12 @@ def settled_levels(
         Pieces or options, motions, and samples of each.
     levels : ndarray, shape (levels,)
         JMA intensities of the ground, increasing; at least one.
-    floors_at : callable
-        Returns the motions at a level; called as it is needed.
     run : callable
-        Runs those motions of each option that are not settled (bool, options × motions) under the motions of
-        a level; returns of all runs what overturned, what was given up, and what was calm.
+        Runs some draws (bool, of the shape) at a level; returns of all what overturned and what was given up.
+    known : sequence of Known, optional
+        What became of each at another shaking.
     every_run : bool
-        Whether all runs are made, those too whose outcome stronger ones tell.
+        Whether all runs are made, those too whose outcome others tell.
     progress : callable, optional
         Called with the number of runs just settled; an exception that it raises stops the work.
 
@@ -278,76 +264,45 @@ def settled_levels(
     tuple
         The falls of each, and how many runs were made for them.
     """
-    _, motions, samples = shape
-    overturned = np.zeros((len(levels), *shape), np.bool_)
-    missing = np.zeros_like(overturned)
-    starts = np.zeros(0, np.intp) if every_run else group_starts(motions, samples)
-    unsettled = np.ones(shape[:2], np.bool_)
-    calm_from = np.full(shape[:2], -np.inf)  # the strongest level from which on downwards all were calm
-    made = 0
-    for number in reversed(range(len(levels))):
-        if not unsettled.any():
-            break
-        made += int(unsettled.sum()) * samples
-        floors = floors_at(float(levels[number]))
-        overturned[number], missing[number], calm = run(floors, unsettled)
-        if not len(starts):
-            continue
-        by_group = np.logical_and.reduceat(calm.all(axis=2), starts, axis=1)
-        together = np.repeat(by_group, np.diff(starts, append=motions), axis=1)
-        calm_from = np.where(together, np.maximum(calm_from, levels[number]), -np.inf)
-        settled = unsettled & (calm_from - levels[number] >= APART)
-        unsettled &= ~settled
-        if progress is not None and settled.any():
-            progress(int(settled.sum()) * samples * number)
-    return [Falls(overturned[:, option], missing[:, option]) for option in range(shape[0])], made
+    number = np.arange(len(levels)).reshape(-1, 1, 1, 1)
+    missing = np.zeros((len(levels), *shape), np.bool_)
+    made = told = 0
 
+    def ran(place: int, chosen: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        nonlocal made
+        made += int(chosen.sum())
+        fell, lost = run(float(levels[place]), chosen)
+        return chosen & fell & ~lost, chosen & lost
 
-def group_starts(motions: int, samples: int) -> NDArray[np.intp]:
-    """Return the first motion of each group of at least `GROUP` runs; none where there are not so many."""
-    each = -(-GROUP // samples)
-    return each * np.arange(motions // each)
+    def falls(overturned: NDArray[np.bool_]) -> list[Falls]:
+        return [Falls(overturned[:, option], missing[:, option]) for option in range(shape[0])]
 
-
-def calm_runs(
-    cases: NDArray[np.void], results: NDArray[np.void], used: NDArray[np.float64]
-) -> NDArray[np.bool_]:
-    """Return which runs stayed far from a fall: with little tilt and slide, and devices that hold easily.
-
-    Parameters
-    ----------
-    cases : ndarray of CASE, shape (n,)
-        The cases.
-    results : ndarray of RESULT, shape (n,)
-        What became of them.
-    used : ndarray, shape (n,)
-        Largest utilisation of their devices; 0 without devices.
-    """
-    left, right = cases["u"][:, :2].T
-    return (
-        (results["outcome"] != OVERTURNED_OUTCOME)
-        & (results["outcome"] != FAILED_OUTCOME)
-        & (results["peak_tilt"] < CALM_TILT * overturning_tilts(cases))
-        & (results["peak_slide"] < CALM_SLIDE * (right - left))
-        & (used < CALM_USE)
-    )
-
-
-def calm_scenes(runs: Runs, pieces: Sequence[Piece]) -> NDArray[np.bool_]:
-    """Return which runs of a scene stayed far from a fall in the same sense, shape (motions, samples)."""
-    assert runs.results is not None
-    calm = ~runs.missing & (runs.used < CALM_USE).all(axis=-1)
-    for piece, results in zip(pieces, np.moveaxis(runs.results, -1, 0), strict=True):
-        base = piece.solid.base_points[:, :2] - piece.solid.centre_of_gravity[:2]
-        nearest = float(np.minimum(-base.min(axis=0), base.max(axis=0)).min())
-        critical = math.atan2(nearest, float(piece.solid.centre_of_gravity[2]))
-        calm &= results["outcome"] != OVERTURNED_OUTCOME
-        calm &= results["peak_tilt"] < CALM_TILT * critical
-        calm &= results["peak_slide"] < CALM_SLIDE * float(np.ptp(base, axis=0).min())
-    return calm
-
-
-def overturning_tilts(cases: NDArray[np.void]) -> NDArray[np.float64]:
-    """Return the tilts at which pieces overturn by their weight, to the side where it is less [rad]."""
-    left, right = cases["u"][:, :2].T
-    return np.arctan2(np.minimum(-left, right), -cases["v"][:, 0])
+    if every_run:
+        overturned = np.zeros_like(missing)
+        for place in range(len(levels)):
+            overturned[place], missing[place] = ran(place, np.ones(shape, np.bool_))
+        return falls(overturned), made
+    # the strongest level at which a draw is known to stand, and the weakest at which to fall
+    low, high = np.full(shape, -1), np.full(shape, len(levels))
+    for option, (intensities, outcomes) in enumerate(known):
+        below, above = (
+            np.searchsorted(levels, intensities, side)[:, np.newaxis] for side in ("right", "left")
+        )
+        low[option] = np.where(~outcomes.overturned & ~outcomes.missing, below - 1, -1)
+        high[option] = np.where(outcomes.overturned & ~outcomes.missing, above, len(levels))
+    while True:
+        open_levels = np.maximum(high - low - 1, 0)
+        settled = missing.size - int(open_levels.sum()) - made
+        if progress is not None and settled > told:
+            progress(settled - told)
+        told = settled
+        if not open_levels.any():
+            return falls(number >= high), made
+        middle = (low + high) // 2
+        for place in np.unique(middle[open_levels > 0]).tolist():
+            chosen = (open_levels > 0) & (middle == place)
+            fell, lost = ran(place, chosen)
+            # of a run that is given up nothing is known at the levels that are still open
+            missing |= lost & (low < number) & (number < high)
+            low = np.where(lost, high - 1, np.where(chosen & ~fell, place, low))
+            high = np.where(fell, place, high)

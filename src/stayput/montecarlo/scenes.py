@@ -6,6 +6,7 @@ option that leaves it as it is.
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
@@ -15,12 +16,12 @@ import numpy as np
 from stayput.execution import Pool
 from stayput.measures.element import utilisation
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT
-from stayput.mechanics.devices.columns import DEVICE, HOLDS
+from stayput.mechanics.devices.columns import HOLDS
 from stayput.montecarlo.runs import Runs
 from stayput.montecarlo.sampling import drawn_floor
 from stayput.montecarlo.scene_draws import drawn_scene, drawn_shaking
 from stayput.simulation.groups import Group, groups_at_first, run_in_groups
-from stayput.simulation.space import names_of, results_of, run_of_trace, trace_groups, trace_together
+from stayput.simulation.space import ENDS, names_of, results_of, run_of_trace, trace_groups, trace_together
 from stayput.simulation.space_engine import STEP, SpaceShaking
 
 if TYPE_CHECKING:
@@ -118,11 +119,11 @@ class SceneRunner:
         self._drawn, self.floors, self._gravity, self._initial = drawn, floors, gravity, initial
         self._counted, self.threads, self.advance, self._watch = list(counted), threads, advance, watch
         self._draws: list[list[DrawOfSeveral]] = [[] for _ in floors.motions]
-        self._known: dict[tuple[int, int], dict[str, GroupRun]] = {}
+        self._known: dict[tuple[int, int], dict[tuple[str, float], GroupRun]] = {}
 
     def under(self, floors: FloorMotions, advance: Callable[[int], None] | None = None) -> SceneRunner:
         """Return the same under other motions, which knows of no run yet; another ``advance`` if given."""
-        return SceneRunner(
+        runner = SceneRunner(
             self._drawn,
             floors,
             self._gravity,
@@ -132,6 +133,8 @@ class SceneRunner:
             watch=self._watch,
             initial=self._initial,
         )
+        runner._draws = self._draws
+        return runner
 
     def draw(self, motion: int, sample: int) -> DrawOfSeveral:
         """Return the draw of a member."""
@@ -148,7 +151,6 @@ class SceneRunner:
         start: int = 0,
         *,
         keep: bool = False,
-        chosen: NDArray[np.bool_] | None = None,
     ) -> list[Runs]:
         """Run scenes of the same pieces under samples of each motion.
 
@@ -160,8 +162,6 @@ class SceneRunner:
             Samples of each motion, and how many come before them.
         keep : bool
             Whether the tracks of the pieces are kept.
-        chosen : ndarray of bool, shape (scenes, motions), optional
-            What is run; all by default. Nothing happens in other runs.
 
         Raises
         ------
@@ -174,19 +174,54 @@ class SceneRunner:
         self.draw(0, start + samples - 1)  # all are drawn before threads ask for them
 
         def run(motion: int, sample: int) -> None:
-            wanted = [chosen is None or bool(chosen[option, motion]) for option in range(len(parts))]
-            members = self._members(
-                [of for of, so in zip(parts, wanted, strict=True) if so], motion, start + sample
-            )
-            ran[motion, sample] = [next(members) if so else ({}, None) for so in wanted]
+            ran[motion, sample] = [*self._members(parts, motion, start + sample)]
 
         with Pool(self.threads) as pool:
-            for place, _ in pool.as_completed(partial(run, *place) for place in np.ndindex(*shape)):
-                self.advance(len(scenes) if chosen is None else int(chosen[:, place // samples].sum()))
+            for _ in pool.as_completed(partial(run, *place) for place in np.ndindex(*shape)):
+                self.advance(len(scenes))
         return [
             _runs([ran[place][option] for place in np.ndindex(*shape)], shape, of.scene, self._counted, keep)
             for option, of in enumerate(parts)
         ]
+
+    def falls(
+        self, scenes: Sequence[Scene], chosen: NDArray[np.bool_]
+    ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """Return which runs overturn and which are given up.
+
+        Parameters
+        ----------
+        scenes : sequence of Scene
+            The pieces with each option, as stated.
+        chosen : ndarray of bool, shape (scenes, motions, samples)
+            What is run; the other runs do neither.
+
+        Raises
+        ------
+        InputError
+            As for `run`.
+        """
+        parts = [_Parts(scene) for scene in scenes]
+        overturned, missing = np.zeros_like(chosen), np.zeros_like(chosen)
+        self.draw(0, chosen.shape[2] - 1)  # all are drawn before threads ask for them
+
+        def run(motion: int, sample: int) -> int:
+            wanted, shaking = np.flatnonzero(chosen[:, motion, sample]).tolist(), self.shaking(motion, sample)
+            for option in wanted:
+                outcomes = dict[int, int]()
+                # what a lone piece does after it lies changes nothing
+                lies = ENDS if len(scenes[option].pieces) == 1 else math.inf
+                for group, ran in self._groups(parts[option], motion, sample, shaking, lies).items():
+                    outcomes |= zip(group, ran.results["outcome"].tolist(), strict=True)
+                overturned[option, motion, sample] = OVERTURNED_OUTCOME in map(outcomes.get, self._counted)
+                missing[option, motion, sample] = FAILED_OUTCOME in outcomes.values()
+            return len(wanted)
+
+        places = np.argwhere(chosen.any(axis=0)).tolist()
+        with Pool(self.threads) as pool:
+            for _, count in pool.as_completed(partial(run, *place) for place in places):
+                self.advance(count)
+        return overturned, missing
 
     def devices_of(self, scene: Scene, body: int, samples: int) -> NDArray[np.void]:
         """Return what became of what holds a piece: DEVICE, shape (motions, samples, devices).
@@ -212,15 +247,30 @@ class SceneRunner:
         floor, scale = self.floors.motions[motion], float(self.floors.scales[motion])
         return drawn_shaking(floor, scale, self.draw(motion, sample), self._gravity)
 
-    def _group(self, of: _Parts, group: Group, motion: int, sample: int, shaking: SpaceShaking) -> GroupRun:
+    def _groups(
+        self, of: _Parts, motion: int, sample: int, shaking: SpaceShaking, lies: float = math.inf
+    ) -> dict[Group, GroupRun]:
+        """Return the runs of the groups of a scene, as they are after all meetings."""
+        run = partial(self._group, of, motion=motion, sample=sample, shaking=shaking, lies=lies)
+        return run_in_groups(of.at_first, run, lambda ran: ran.tracks)
+
+    def _group(
+        self,
+        of: _Parts,
+        group: Group,
+        motion: int,
+        sample: int,
+        shaking: SpaceShaking,
+        lies: float = math.inf,
+    ) -> GroupRun:
         """Run a group, or return its run where it is known."""
         (part, called, key), known = of.part(group), self._known.setdefault((motion, sample), {})
-        if key not in known:
+        if (key, lies) not in known:
             draw = self.draw(motion, sample).of(group)
             reached = len(of.at_first) > 1 or self._watch is not None
-            traced = trace_draw(part, draw, shaking, self._gravity, called, self._initial)
-            known[key] = _group_run(traced, shaking, tracked=reached)
-        return known[key]
+            traced = trace_draw(part, draw, shaking, self._gravity, called, self._initial, lies=lies)
+            known[key, lies] = _group_run(traced, shaking, tracked=reached)
+        return known[key, lies]
 
     def _members(
         self, parts: Sequence[_Parts], motion: int, sample: int
@@ -228,9 +278,7 @@ class SceneRunner:
         """Yield the runs of all scenes under one draw."""
         shaking = self.shaking(motion, sample)
         for of in parts:
-            run = partial(self._group, of, motion=motion, sample=sample, shaking=shaking)
-            groups = run_in_groups(of.at_first, run, lambda ran: ran.tracks)
-            seen = None
+            groups, seen = self._groups(of, motion, sample, shaking), None
             if self._watch is not None and of.scene.plan is not None:
                 each = [pair for group in groups for pair in zip(group, groups[group].tracks, strict=True)]
                 in_order = sorted(each, key=lambda pair: pair[0])
@@ -272,11 +320,12 @@ def trace_draw(
     names: Sequence[str | Phrase] = (),
     initial: State | None = None,
     step: float = STEP,
+    lies: float = math.inf,
 ) -> Trace:
     """Run the pieces of a scene together under one draw and its `drawn_shaking`; see `trace_together`."""
     floor = partial(drawn_floor, draw=draw.room)
     drawn = drawn_scene(scene, draw)
-    return trace_together(drawn, shaking, gravity, step, draw.room.strength, floor, names, initial)
+    return trace_together(drawn, shaking, gravity, step, draw.room.strength, floor, names, initial, lies)
 
 
 def replay(
@@ -319,7 +368,7 @@ def _runs(
     """Return the runs of an option, by motion and by sample within it."""
     count = len(scene.pieces)
     results = np.zeros((*shape, count), RESULT)
-    made, tracks = dict[tuple[int, ...], Any](), np.empty((*shape, count), object)
+    columns, tracks = list[Any](), np.empty((*shape, count), object)
     for place, (groups, _) in zip(np.ndindex(*shape), members, strict=True):
         of_pieces, of_joints = dict[int, Any](), dict[int, Any]()
         for group, ran in groups.items():
@@ -331,13 +380,9 @@ def _runs(
                 n: (ran.devices[-1][0][k : k + 1], ran.devices[-1][1][k : k + 1])
                 for k, n in enumerate(inside)
             }
-        if groups:  # else this run was not made
-            held = *map(of_pieces.__getitem__, range(count)), *map(of_joints.__getitem__, sorted(of_joints))
-            made[place] = [np.concatenate(columns) for columns in zip(*held, strict=True)]
-    number = max((len(used) for _, used in made.values()), default=0)
-    devices, used = np.zeros((*shape, number), DEVICE), np.zeros((*shape, number))
-    for place, columns in made.items():
-        devices[place], used[place] = columns
+        held = *map(of_pieces.__getitem__, range(count)), *map(of_joints.__getitem__, sorted(of_joints))
+        columns.append([np.concatenate(column) for column in zip(*held, strict=True)])
+    devices, used = (np.array(column).reshape(*shape, -1) for column in zip(*columns, strict=True))
     seen = [seen for _, seen in members if seen is not None]
     watched = [np.array(column).reshape(*shape, *np.shape(column[0])) for column in zip(*seen, strict=True)]
     counted_results = results[..., counted]

@@ -200,6 +200,7 @@ def trace_together(
     drawn_floor: Callable[[Floor], Floor] = lambda floor: floor,
     names: Sequence[str | Phrase] = (),
     initial: State | None = None,
+    lies: float = math.inf,
 ) -> Trace:
     """Run the pieces of a scene as one group, from where the leftmost stands: its bits do not depend on that.
 
@@ -215,6 +216,8 @@ def trace_together(
         How refusals call the pieces; by default as `names_of`.
     initial : State, optional
         The initial state of furniture; at rest by default.
+    lies : float
+        How long all pieces lie before the run ends [s].
     """
     called = names or names_of(scene, range(len(scene.pieces)))
     x, y, _ = min(piece.at for piece in scene.pieces)
@@ -222,7 +225,7 @@ def trace_together(
     bodies = placed(scene, strength, drawn_floor, called, initial)
     planes = planes_around(scene.pieces, scene.around)
     joints = joint_springs([body.piece for body in bodies], scene.joints)
-    traced = _traced(bodies, called, planes, joints, scene.friction, shaking, gravity, step)
+    traced = _traced(bodies, called, planes, joints, scene.friction, shaking, gravity, step, lies)
     return traced._replace(origin=(x, y))
 
 

@@ -36,6 +36,9 @@ FREQUENCIES.setflags(write=False)
 COARSE = 2
 """Which of them are computed at first: every second."""
 
+AT_ONCE = 20
+"""How many of these at once, from the lowest on: those above the first crossing, which take longest, are not."""
+
 
 @dataclass(frozen=True, slots=True)
 class SlidingEstimate:
@@ -114,8 +117,13 @@ def _first_crossing(motion: Motion, level: float) -> float:
     spectrum has no peak as narrow as that, 6 % of its frequency.
     """
     coarse = FREQUENCIES[::COARSE]
-    above = np.flatnonzero(_vector_spectrum(motion, coarse) >= level)
-    place = int(above[0]) if len(above) else 0
+    for first in range(0, len(coarse), AT_ONCE):
+        above = np.flatnonzero(_vector_spectrum(motion, coarse[first : first + AT_ONCE]) >= level)
+        if len(above):
+            break
+    else:
+        return math.nan
+    place = first + int(above[0])
     if place == 0:
         return math.nan
     fine = FREQUENCIES[COARSE * (place - 1) : COARSE * place + 1]

@@ -55,11 +55,8 @@ if TYPE_CHECKING:
     from stayput.scenario.option import Option
     from stayput.verification.contents import ContentsVerdict
 
-LEVELS: NDArray[np.float64] = np.linspace(4.25, 6.95, 10)
-"""JMA intensities of the ground for the fragility curves: from 4 to 7.
-
-Twice as many take the intensities at which 10 % and 50 % overturn no farther than 0.1, and 0.04 on average.
-"""
+LEVELS: NDArray[np.float64] = np.linspace(4.25, 7.0, 12)
+"""JMA intensities of the ground for the fragility curves: ends and middles of the classes from 4 to 7."""
 LEVELS.setflags(write=False)
 
 FIRST_RUNS = 20
@@ -163,7 +160,7 @@ def compare(
         made = 0
         if len(rows):
             floors_at = cache(partial(hazard.at, threads=threads))
-            more["falls"], made = contest.falls(options, samples, rows, floors_at, every_run=every_run)
+            more["falls"], made = contest.falls(options, here, rows, floors_at, every_run=every_run)
             more["measures"] = [floors_at(float(level)) for level in rows]
         if more["inside"] or faulty or len(rows):
             verdict = replace(verdict, options=verdicts_of(contest, options, here, **more))

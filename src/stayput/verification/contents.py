@@ -27,7 +27,6 @@ if TYPE_CHECKING:
 
     from stayput.contents.contents import Contents
     from stayput.model.body import Body
-    from stayput.montecarlo.runs import Runs
     from stayput.montecarlo.sampling import Rows
     from stayput.scenario.option import Option
     from stayput.verification.contest import Contest
@@ -129,12 +128,7 @@ def contents_verdicts(contest: Contest, options: Sequence[Option]) -> list[Conte
     if contents is None:
         return [None] * len(options)
     body = scenario.piece.body()
-    run, carrier = (_in_plane if contest.in_plane else _in_space)(contest, options)
-
-    def overturns(other: Body) -> list[Probability]:
-        """Return how often another body overturns, by option."""
-        each = run(other)
-        return [probability(runs.overturned[:MOTIONS], runs.missing[:MOTIONS]) for runs in each]
+    overturns, carrier = (_in_plane if contest.in_plane else _in_space)(contest, options)
 
     shape = len(options), min(contest.settings.motions, MOTIONS)
     spilt = _followed(carrier, shape, body, contents, contest.threads)
@@ -151,8 +145,8 @@ def contents_verdicts(contest: Contest, options: Sequence[Option]) -> list[Conte
     return [_verdict(*each, contents) for each in zip(spilt, less, wide, strict=True)]
 
 
-FirstRuns: TypeAlias = "tuple[Callable[[Body], list[Runs]], Callable[[int, int], Carrier]]"
-"""How options run with another body, and how the piece moves with one under a motion: by first draws."""
+FirstRuns: TypeAlias = "tuple[Callable[[Body], list[Probability]], Callable[[int, int], Carrier]]"
+"""How often another body overturns with each option, and how the piece moves under a motion: first draws."""
 
 
 def _in_plane(contest: Contest, options: Sequence[Option]) -> FirstRuns:
@@ -164,26 +158,27 @@ def _in_plane(contest: Contest, options: Sequence[Option]) -> FirstRuns:
     def rows(other: Body) -> list[Rows]:
         return [rows_of(other, room, each.measures, drawn, settings.gravity, stands) for each in options]
 
-    def run(other: Body) -> list[Runs]:
-        return run_level(rows(other), floors, threads=contest.threads)
+    def overturns(other: Body) -> list[Probability]:
+        each = run_level(rows(other), floors, threads=contest.threads)
+        return [probability(runs.overturned, runs.missing) for runs in each]
 
     mine, floor = rows(body), PreparedFloor.of(floors.motions, floors.scales)
-    return run, lambda place, motion: _carrier_under(mine[place], motion, floor, body.height)
+    return overturns, lambda place, motion: _carrier_under(mine[place], motion, floor, body.height)
 
 
 def _in_space(contest: Contest, options: Sequence[Option]) -> FirstRuns:
     scenario, settings, runner = contest.scenario, contest.settings, contest.runner
     scenes, stands = [*map(contest.scene, options)], scenario.initial.state()
 
-    def run(other: Body) -> list[Runs]:
+    def overturns(other: Body) -> list[Probability]:
         others = [
             replace(scene, pieces=[replace(piece, body=other) for piece in scene.pieces]) for scene in scenes
         ]
-        chosen = np.tile(np.arange(settings.motions) < MOTIONS, (len(options), 1))
+        chosen = np.ones((len(options), min(settings.motions, MOTIONS), 1), np.bool_)
         # a runner of its own: scenes are known without their bodies; as in the plane its runs do not count
         anew = runner.under(contest.floors, lambda _runs: contest.advance(0))
         with scenario.naming_keys():
-            return anew.run(others, 1, chosen=chosen)
+            return [probability(*each) for each in zip(*anew.falls(others, chosen), strict=True)]
 
     def carrier(place: int, motion: int) -> Carrier:
         scene, shaken = scenes[place], runner.shaking(motion, 0)
@@ -193,7 +188,7 @@ def _in_space(contest: Contest, options: Sequence[Option]) -> FirstRuns:
         case["gravity"] = settings.gravity
         return Carrier.of_trace(case, fine, traced, scenario.piece.body().height)
 
-    return run, carrier
+    return overturns, carrier
 
 
 def runs_of_contents(contents: Contents, motions: int) -> int:

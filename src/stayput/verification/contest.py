@@ -5,11 +5,10 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
+from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures import Element, hold
 from stayput.montecarlo.hazard import Hazard
-from stayput.montecarlo.runs import Falls, Runs, calm_scenes, run_level, run_levels, settled_levels
+from stayput.montecarlo.runs import Falls, Runs, run_level, run_levels, settled_levels
 from stayput.montecarlo.sampling import Rows, Settings, draws, rows_of
 from stayput.montecarlo.scene_draws import draws_of_scenario
 from stayput.montecarlo.scenes import SceneRunner
@@ -21,6 +20,7 @@ from stayput.verification.events import Watcher
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    import numpy as np
     from numpy.typing import NDArray
 
     from stayput.model.floor_plan import FloorPlan
@@ -159,23 +159,26 @@ class Contest:
     def falls(
         self,
         options: Sequence[Option],
-        samples: int,
+        stated: Sequence[Runs],
         levels: NDArray[np.float64],
         floors_at: Callable[[float], FloorMotions],
         *,
         every_run: bool,
     ) -> tuple[list[Falls], int]:
-        """Return the falls with options at many levels, and how many runs were made for them."""
-        shared: dict[str, Any] = {"every_run": every_run, "progress": self.advance}
-        if self.in_plane:
-            rows = self.rows(options, samples)
-            return run_levels(rows, levels, floors_at, threads=self.threads, **shared)
-        scenes, shape = [*map(self.scene, options)], (len(options), self.settings.motions, samples)
+        """Return the falls with options at many levels, and how many runs were made for them.
 
-        def run(floors: FloorMotions, unsettled: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], ...]:
-            ran = self.runner.under(floors).run(scenes, samples, chosen=unsettled)
-            calm = [calm_scenes(runs, scene.pieces) for runs, scene in zip(ran, scenes, strict=True)]
-            return np.array([r.overturned for r in ran]), np.array([r.missing for r in ran]), np.array(calm)
+        ``stated``: their runs at the shaking that the scenario states.
+        """
+        shape = (len(options), *stated[0].overturned.shape)
+        known = [(self.floors.measures[JMA_INTENSITY], runs) for runs in stated]
+        shared: dict[str, Any] = {"known": known, "every_run": every_run, "progress": self.advance}
+        if self.in_plane:
+            rows = self.rows(options, shape[2])
+            return run_levels(rows, levels, floors_at, threads=self.threads, **shared)
+        scenes = [*map(self.scene, options)]
+
+        def run(level: float, chosen: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+            return self.runner.under(floors_at(level)).falls(scenes, chosen)
 
         with self.scenario.naming_keys():
-            return settled_levels(shape, levels, floors_at, run, **shared)
+            return settled_levels(shape, levels, run, **shared)
