@@ -37,7 +37,7 @@ COARSE = 2
 """Which of them are computed at first: every second."""
 
 AT_ONCE = 20
-"""How many of these at once, from the lowest on: those above the first crossing, which take longest, are not."""
+"""How many of these at once, from the lowest on: those far above the crossing take longest, and are not."""
 
 
 @dataclass(frozen=True, slots=True)
