@@ -337,11 +337,6 @@ class Hazard:
         return FloorMotions(motions, scales, measures, self.ground.floor)
 
     @cached_property
-    def _horizontal_peaks(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        pga, pgv = ([horizontal_peak(motion, name) for motion in self.ground] for name in ("PGA", "PGV"))
-        return np.array(pga), np.array(pgv)
-
-    @cached_property
     def _spectral(self) -> dict[float, NDArray[np.float64]]:
         periods = [measure.period for measure in self.further if measure.period is not None]
         return {T: np.array([horizontal_sa(motion, T) for motion in self.ground]) for T in periods}
@@ -353,10 +348,11 @@ class Hazard:
             return factors * self._spectral[measure.period]
         if measure != MMI:
             raise ValueError(measure)
-        pga, pgv = self._horizontal_peaks
+        pga, pgv = _peaks(tuple(self.ground))
         return np.array([mercalli_beyond(k * a, k * v) for k, a, v in zip(factors, pga, pgv, strict=True)])
 
 
 def _peaks(motions: tuple[Motion, ...]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the peak acceleration [m/s²] and the peak velocity [m/s] of motions along x."""
-    return np.array([motion.pga for motion in motions]), np.array([motion.pgv for motion in motions])
+    """Return the peaks of acceleration [m/s²] and velocity [m/s] of motions, of the larger component each."""
+    pga, pgv = ([horizontal_peak(motion, name) for motion in motions] for name in ("PGA", "PGV"))
+    return np.array(pga), np.array(pgv)
