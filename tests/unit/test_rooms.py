@@ -368,7 +368,7 @@ def test_a_verdict_of_one_record_is_not_of_earthquakes(tmp_path: Path):
 
 def test_how_often_is_told_in_per_cent():
     chance = probability(np.arange(40).reshape(40, 1) < 30)
-    assert often(chance, ("earthquakes", "地震")) == ("in about 75 % of earthquakes", "地震の約75%で")
+    assert often(chance, ("earthquakes", "地震")) == ("in about 80 % of earthquakes", "地震の約80%で")
 
 
 @pytest.mark.parametrize("stuck", [False, True])

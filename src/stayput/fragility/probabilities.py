@@ -31,8 +31,11 @@ if TYPE_CHECKING:
 CONFIDENCE = 0.95
 """Confidence of every interval."""
 
-UNITS = (1, 5, 10, 25)
+UNITS = (1, 5, 10)
 """Units to which probabilities are rounded where they are told [per cent]."""
+
+WIDE = 25.0
+"""Half-width of the interval above which its ends stand for a probability [per cent]."""
 
 _WEIGHT = 1.0
 """Weight, in runs, of each of the two motions that are added before the design effect is estimated.
@@ -68,7 +71,7 @@ class Probability:
     >>> apart = probability(np.arange(40).reshape(4, 10) % 4 == 0)  # 10 of 40 fell, spread over 4 motions
     >>> alike = probability(np.arange(40).reshape(4, 10) < 10)  # 10 of 40, all under one of them
     >>> apart.text, alike.text
-    ('about 25 % (12 to 45 %)', '3 to 78 %')
+    ('about 30 % (12 to 45 %)', '3 to 78 %')
     >>> alike.fell, alike.runs, round(alike.half_width / apart.half_width, 1)
     (10, 40, 2.3)
     """
@@ -91,14 +94,14 @@ class Probability:
     def brief(self) -> str:
         """The probability in per cent, as finely as its interval allows: "25", "<9", ">82", "8–75".
 
-        It is rounded to the first of `UNITS` that is not finer than the interval's half-width, or to a finer
-        unit where that leaves the interval. Where that moves it by more than half of how far it is from 0 or
-        100, an end of the interval stands for it; where no unit is so coarse, both do.
+        It is rounded to the first of `UNITS` that is not finer than the interval's half-width, or the last,
+        or to a finer unit where that leaves the interval. Where that moves it by more than half of how far it
+        is from 0 or 100, an end of the interval stands for it; where that is wider than `WIDE`, both do.
         """
         width = round(100.0 * self.half_width, 7)
         if width == 0.0:
             return percent(self.estimate)
-        if width > UNITS[-1] and 0.0 < self.estimate < 1.0:
+        if width > WIDE and 0.0 < self.estimate < 1.0:
             return f"{percent(self.low)}–{percent(self.high)}"
         for unit in reversed(UNITS[: bisect_left(UNITS, width) + 1]):
             rounded = unit * math.floor(round(100.0 * self.estimate / unit, 7) + 0.5)
@@ -118,7 +121,7 @@ class Probability:
 
     @property
     def share(self) -> Phrase:
-        """The same in words: "about 25 %", "under 9 %", "over 82 %", "8 to 75 %"."""
+        """The same in words: "about 30 %", "under 9 %", "over 82 %", "8 to 75 %"."""
         if self.runs == 0:
             return phrase("fragility.probability_unknown")
         key = {"<": "common.under", ">": "common.over"}.get(self.brief[0], "common.about")
@@ -194,7 +197,7 @@ def probability(fallen: ArrayLike, missing: ArrayLike | None = None) -> Probabil
     --------
     >>> import numpy as np
     >>> probability(np.arange(40).reshape(40, 1) < 8).text
-    'about 25 % (10 to 35 %)'
+    'about 20 % (10 to 35 %)'
     """
     fell, given_up = checked_runs(fallen, missing)
     runs = (~given_up).sum(axis=1)

@@ -97,7 +97,8 @@ export function percent(share) {
   return perCent(number(value, fine ? 1 : 0));
 }
 
-const UNITS = [1, 5, 10, 25]; // of rounded chances, in per cent
+const UNITS = [1, 5, 10]; // of rounded chances, in per cent
+const WIDE = 25; // half-width of an interval above which its ends are told, in per cent
 
 /** A share rounded up to whole per cent, or to tenths below 1 %. */
 const upwards = (value) => (value > 1 ? Math.ceil(value) : Math.ceil(Math.round(1e7 * value) / 1e6) / 10);
@@ -107,7 +108,7 @@ function told({ estimate: share, low: least, high: most }) {
   const [estimate, low, high] = [share, least, most].map(inPercent),
     width = inPercent((most - least) / 2);
   if (width === 0) return ["exactly", percent(share)];
-  if (width > UNITS.at(-1) && estimate > 0 && estimate < 100) return ["between"];
+  if (width > WIDE && estimate > 0 && estimate < 100) return ["between"];
   for (const unit of UNITS.filter((_, i) => !(UNITS[i - 1] >= width)).reverse()) {
     const near = unit * Math.floor(Math.round((1e7 * estimate) / unit) / 1e7 + 0.5);
     if ([0, 100].includes(near) || Math.abs(near - estimate) > Math.min(estimate, 100 - estimate) / 2) break;
@@ -123,7 +124,7 @@ const isKnown = ({ estimate, low }) => ![estimate ?? null, low ?? null].includes
 const ends = ({ low, high }) =>
   t("shareBetween", { low: percent(low).replace(/\u00a0?%/, ""), high: percent(high) });
 
-/** A chance in words, as finely as its interval allows: "about 75 %", "under 9 %", "8 to 75 %". */
+/** A chance in words, as finely as its interval allows: "about 80 %", "under 9 %", "8 to 75 %". */
 export function share(one) {
   if (!isKnown(one)) return percent(one.estimate);
   const [kind, text] = told(one);
@@ -137,6 +138,6 @@ export function brief(one) {
   return kind === "between" ? ends(one).replace(/ to |～/, "–") : `${{ under: "<", over: ">" }[kind] ?? ""}${text}`;
 }
 
-/** The same in words with its interval, where that tells more: "about 75 % (61 to 88 %)". */
+/** The same in words with its interval, where that tells more: "about 80 % (61 to 88 %)". */
 export const chance = (one) =>
   isKnown(one) && told(one)[0] === "about" ? t("chanceBetween", { share: share(one), ends: ends(one) }) : share(one);
