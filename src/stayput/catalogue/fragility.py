@@ -89,10 +89,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "All stand up to a level and all fall from the next on, so there is no curve: "
             "half fall at {measure} {half}.{intervals}"
         ),
-        (
-            "ある強さまではすべて転倒せず、次の強さからはすべて転倒するため、曲線はありません。"
-            "半数が転倒する{measure}は{half}です。{intervals}"
-        ),
+        "ある強さまではすべて転倒せず、次の強さからはすべて転倒するため、曲線はありません。半数が転倒する{measure}は{half}です。{intervals}",
     ),
     "curve_no_trend": (
         "The share of falls does not grow with {measure} in {runs}, so there is no curve.{intervals}",

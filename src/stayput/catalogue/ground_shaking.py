@@ -32,10 +32,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "magnitude {magnitude:.3g} at {distance:.3g} km, {depth:.3g} km deep, {kind}; mean shear-wave "
             "velocity of the ground {vs30:.4g} m/s"
         ),
-        (
-            "マグニチュード{magnitude:.3g}、断層までの距離{distance:.3g} km、深さ{depth:.3g} km、{kind}、"
-            "地盤の平均S波速度{vs30:.4g} m/s"
-        ),
+        "マグニチュード{magnitude:.3g}、断層までの距離{distance:.3g} km、深さ{depth:.3g} km、{kind}、地盤の平均S波速度{vs30:.4g} m/s",
     ),
     "earthquake_source": (
         "Si and Midorikawa (1999) and Fujimoto and Midorikawa (2006)",

@@ -91,10 +91,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "ambiguous_channel": (
         "The component {component!r} is more than one channel of the file; it must be one of {channels}.",
-        (
-            "「{component}」に当たるチャンネルがファイルに複数あります。"
-            "次から選んで入力してください：「{channels}」"
-        ),
+        "「{component}」に当たるチャンネルがファイルに複数あります。次から選んで入力してください：「{channels}」",
     ),
     "many_channels": (
         "The file has {count} channels; component must name one of {channels}.",
@@ -105,10 +102,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "The channels are of two sensors or twice of one direction; component must name one of {channels}, or "
             "{option}, in columns of numbers, those of one sensor."
         ),
-        (
-            "複数の地震計、または同じ方向のチャンネルがあります。使うものを次から選んで入力してください：「{channels}」。"
-            "数値の列では、1つの地震計の列を「{option}」で指定することもできます。"
-        ),
+        "複数の地震計、または同じ方向のチャンネルがあります。使うものを次から選んで入力してください：「{channels}」。数値の列では、1つの地震計の列を「{option}」で指定することもできます。",
     ),
     "vertical_component": (
         "The component {component!r} is a vertical channel; it must be a horizontal one: {channels}.",
@@ -127,10 +121,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "The displacement of {component} drifts with the record's baseline, which is not corrected: its peak is "
             "{pgd:.4g} cm, and {corrected:.4g} cm once a line is taken off the acceleration."
         ),
-        (
-            "{component}の変位は、補正していない記録の基線のずれで流れています。最大変位は{pgd:.4g} cmですが、"
-            "加速度から直線成分を除くと{corrected:.4g} cmになります。"
-        ),
+        "{component}の変位は、補正していない記録の基線のずれで流れています。最大変位は{pgd:.4g} cmですが、加速度から直線成分を除くと{corrected:.4g} cmになります。",
     ),
     "vertical_by_name": (
         "The name of the file ends in {ending!r} like a vertical; it is taken as x, the horizontal shaking.",
@@ -147,10 +138,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "the_first": ("the first", "最初の成分"),
     "large_peak": (
         "The peak acceleration of {component} is {peak:.4g} g; above {limit:g} g check the unit.",
-        (
-            "{component}成分の最大加速度が{peak:.4g} gあります。"
-            "{limit:g} gを超えています。単位を確かめてください。"
-        ),
+        "{component}成分の最大加速度が{peak:.4g} gあります。{limit:g} gを超えています。単位を確かめてください。",
     ),
     "upper_floor": (
         "The name or the header says that it is of {floor} of a building; it is no motion of the ground.",
@@ -165,10 +153,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "an intensity, a peak, a spectral acceleration or an earthquake says how strongly the ground shakes, "
             "so give none and at most a factor (scale), or a motion of the ground"
         ),
-        (
-            "震度・最大値・応答スペクトル・地震は地面の揺れの強さを表すため、指定しないか倍率（scale）だけにするか、"
-            "地面の揺れの地震動を使ってください"
-        ),
+        "震度・最大値・応答スペクトル・地震は地面の揺れの強さを表すため、指定しないか倍率（scale）だけにするか、地面の揺れの地震動を使ってください",
     ),
     "ground_alone_here": (
         "here motions of the ground alone may be given",
@@ -232,10 +217,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "trace_start": (
         "The trace of {channel!r} starts {late:g} s after the first; all must start together.",
-        (
-            "「{channel}」のトレースは最初のトレースより{late:g}秒遅れて始まります。"
-            "すべて同時に始まらなければなりません。"
-        ),
+        "「{channel}」のトレースは最初のトレースより{late:g}秒遅れて始まります。すべて同時に始まらなければなりません。",
     ),
     # Suites and target spectra.
     "only_samples": (

@@ -35,10 +35,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "The motion file {path!r} is in the format {format}, which is not read; its acceleration must be saved as "
             "columns of numbers, or the record had in one of {formats}."
         ),
-        (
-            "「{path}」は「{format}」形式のファイルで、この形式には対応していません。"
-            "加速度を数値の列として保存するか、次のいずれかの形式の記録を使ってください：「{formats}」"
-        ),
+        "「{path}」は「{format}」形式のファイルで、この形式には対応していません。加速度を数値の列として保存するか、次のいずれかの形式の記録を使ってください：「{formats}」",
     ),
     # A file's unit and time step.
     "unknown_unit": ("The unit of acceleration", "加速度の単位"),
@@ -213,17 +210,11 @@ TEXTS: dict[str, tuple[str, str]] = {
             "The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, z), unless {option} "
             "says which are these, as in {example}."
         ),
-        (
-            "{columns}列あります。1列（加速度）、2列（時刻と加速度）、4列（時刻とx、y、z）にするか、"
-            "どれがそれらの列かを「{option}」で指定してください（例：「{example}」）。"
-        ),
+        "{columns}列あります。1列（加速度）、2列（時刻と加速度）、4列（時刻とx、y、z）にするか、どれがそれらの列かを「{option}」で指定してください（例：「{example}」）。",
     ),
     "column_first_row": (
         "Row {row} has {count} values; it must have {columns} like the first, unless {option} passes that over.",
-        (
-            "行によって列の数が違います（1行目は{columns}個、{row}行目は{count}個）。"
-            "1行目がデータでなければ、「{option}」で読み飛ばしてください。"
-        ),
+        "行によって列の数が違います（1行目は{columns}個、{row}行目は{count}個）。1行目がデータでなければ、「{option}」で読み飛ばしてください。",
     ),
     "column_factor": (
         "The line {line} states a factor; numbers must be without one: if so, {option} passes the line over.",
@@ -242,10 +233,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "The file states its columns as {columns}, and has {count} columns; each must be named once, the time and "
             "the directions as in 'time, NS, EW, UD'."
         ),
-        (
-            "ファイルには列が{columns}と書かれていますが、{count}列あります。"
-            "「time, NS, EW, UD」のように、時刻と各列の方向を1つずつ書いてください。"
-        ),
+        "ファイルには列が{columns}と書かれていますが、{count}列あります。「time, NS, EW, UD」のように、時刻と各列の方向を1つずつ書いてください。",
     ),
     "column_order_unread": (
         "The file names directions in {line}, from which the order of the columns is not understood; state it by {option}.",
@@ -276,10 +264,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "The first column is headed {column} and no other one is headed as the time; one must be, unless {option} "
             "says which to read and the time step is given."
         ),
-        (
-            "最初の列の見出しは{column}で、時刻の見出しのある列がありません。時刻の列を加えるか、"
-            "読む列を「{option}」で、時間刻みも指定してください。"
-        ),
+        "最初の列の見出しは{column}で、時刻の見出しのある列がありません。時刻の列を加えるか、読む列を「{option}」で、時間刻みも指定してください。",
     ),
     "column_times": (
         "The columns {columns} are all headed as the time; only one must be.",
