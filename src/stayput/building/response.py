@@ -12,9 +12,8 @@ from stayput.motion.integrals import peak_velocity
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
-    import xarray as xr
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
@@ -126,38 +125,6 @@ class FloorResponse:
         self.model.place(storey)
         rows = {name: a[:, int(storey) - 1] for name, a in self.acceleration.items()}
         return self.model.motion_of(self.motion, storey, self.dt, rows)
-
-    def to_dataset(self) -> xr.Dataset:
-        """Return histories and peaks with units: ``acceleration_x`` over time and storey, ``drift_x``, ..."""
-        import xarray as xr
-
-        layers = np.arange(1, len(self.model.masses) + 1)
-        coordinates = {
-            "time": ("time", self.time, {"units": "s"}),
-            "storey": ("storey", self.storeys, {"long_name": "storey on the floor; the last is the roof"}),
-            "layer": ("layer", layers, {"long_name": "what lies below each mass, from the ground"}),
-        }
-        about = {
-            "building": self.model.name,
-            "motion": self.motion.name,
-            "synthetic": int(self.motion.synthetic),
-            "period": float(self.model.periods[0]),
-            "nonlinear": int(self.model.yields),
-        }
-        data = xr.Dataset(coords=coordinates, attrs=about)
-        for key, dims, values, unit, meaning in self._variables():
-            data[key] = (dims, values, {"units": unit, "long_name": meaning})
-        return data
-
-    def _variables(self) -> Iterator[tuple[str, tuple[str, ...], NDArray[np.float64], str, str]]:
-        for name, a in self.acceleration.items():
-            floors, layers = ("storey",), ("layer",)
-            yield f"acceleration_{name}", ("time", "storey"), a, "m/s²", f"absolute acceleration, {name}"
-            yield f"drift_{name}", ("time", "layer"), self.drift[name], "m", f"drift, {name}"
-            acceleration, velocity = self.peak_acceleration(name), self.peak_velocity(name)
-            yield f"peak_acceleration_{name}", floors, acceleration, "m/s²", f"peak acceleration, {name}"
-            yield f"peak_velocity_{name}", floors, velocity, "m/s", f"peak absolute velocity, {name}"
-            yield f"peak_drift_{name}", layers, self.peak_drift(name), "m", f"peak drift, {name}"
 
     def _of(self, table: dict[str, NDArray[np.float64]], component: str) -> NDArray[np.float64]:
         return table[word_of("motion.the_component", component, table, "component")]
