@@ -54,7 +54,7 @@ def test_a_channel_that_is_named_brings_those_of_its_sensor(tmp_path):
     below, heard = told(file, component="NS1")
     assert {name: abs(a[0]) for name, a in below.components.items()} == {"x": 0.01, "y": 0.02, "z": 0.03}
     assert [BELOW in str(warning) for warning in heard] == [True]
-    with pytest.raises(sp.InputError, match="'NS' is more than one channel"):
+    with pytest.raises(sp.InputError, match="is 'NS'; it must be one of NS1"):
         told(file, component="NS")
 
 

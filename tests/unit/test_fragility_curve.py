@@ -291,7 +291,7 @@ def test_curve_that_hangs_on_one_motion_is_open() -> None:
         (lambda: Trials.from_runs(JMA_INTENSITY, LEVELS, _runs(1), np.ones((11, 40, 16), bool)), "given up"),
         (lambda: Trials.from_counts(PGA, [1.0, 2.0], [3, 1], [2, 2]), "3 falls of 2"),
         (lambda: Trials.from_counts(PGA, [1.0, np.nan], [1, 1], [2, 2]), "nan"),
-        (lambda: Trials.from_counts(PGA, [1.0], [1, 1], [2, 2]), "one length"),
+        (lambda: Trials.from_counts(PGA, [1.0], [1, 1], [2, 2]), "must be 1 numbers"),
         (lambda: fragility_curve(_counts([1, 2, 4, 9])).capacity(0.0), "0"),
     ],
 )

@@ -187,5 +187,5 @@ def test_ground_and_floor_are_not_put_together():
     ground, floor = sp.Motion(0.01, WAVE, name="a"), sp.Motion(0.01, WAVE[::-1], name="b", floor="floor 5")
     for pair in ((ground, floor), (floor, ground)):
         error = refused(*pair)
-        assert "must be of the same place" in str(error)
+        assert "they must be of one place" in str(error)
         assert "同じ場所の記録" in error.told("ja")

@@ -125,7 +125,7 @@ REFUSED = {
         "t,NS,EW,上下（下向き）",
     ],
     ("column_times", None): ["time,time 2,NS,EW"],
-    ("column_time_unit", None): [
+    ("common.not_allowed", None): [
         "time [min],NS [gal]",
         "time [s*10],acc",
         "time x 10,acc",
@@ -182,7 +182,7 @@ REFUSED = {
         "t,acc [G (X 1000)]",
     ],
     ("column_factor", 2): ["# scale factor: 0.1", "# multiply by 0.001", "# factor = 2", "# 倍率：10"],
-    ("two_units", 2): ["# unit: gal\n# unit: g"],
+    ("stated_twice", 2): ["# unit: gal\n# unit: g"],
     ("two_sensors", None): [
         "t,STA1_NS,STA2_EW,STA1_UD",
         "t,roof NS,ground EW,roof UD",
@@ -209,7 +209,7 @@ REFUSED = {
 }
 UNIT_OPEN = {
     ("column_no_unit", None): ["t,NS (gal),EW (g),UD"],
-    ("two_units", None): ["# unit: m/s²\nt,NS (gal),EW (gal),UD (gal)"],
+    ("stated_twice", None): ["# unit: m/s²\nt,NS (gal),EW (gal),UD (gal)"],
     ("no_unit", None): ["t,acc (filtered)", "t,acc (NS)", "t,acc_µgal"],
     ("no_unit", 2): ["", "# recorder unit (S/N 3)", "Taken from RENADIC\nt,acc"],
     ("no_unit_nor_step", 1): [""],
@@ -249,7 +249,7 @@ FIELDS = {
 )
 def test_a_head_that_is_not_understood_or_forbids_it_is_refused(refusal, code, head, columns, given):
     error = refusal(table(head, columns), **given)
-    assert error.code == f"motion.{code}"
+    assert error.code == (code if "." in code else f"motion.{code}")
     assert error.field == next((field for field, codes in FIELDS.items() if code in codes), None)
 
 

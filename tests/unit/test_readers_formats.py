@@ -298,7 +298,7 @@ REFUSED = {
         (csmip_channel(1, "90 DEG", unit=""), "no unit"),
         (csmip_channel(1, "90 DEG", unit="  (UNITS: G/10)"), "'G/10'"),
         (csmip_channel(1, "90 DEG").split("/&")[0], "must be complete"),
-        (csmip_channel(1, "90 DEG").replace("FOR CHANNEL  1", "FOR CHANNEL  2"), "numbered 1 and 2"),
+        (csmip_channel(1, "90 DEG").replace("FOR CHANNEL  1", "FOR CHANNEL  2"), "number both 1 and 2"),
         (csmip_channel(1, "90 DEG").replace("AT  .020", "AT  .030", 1), "they must last as long"),
         (
             csmip_channel(1, "90 DEG") + csmip_channel(2, "90 DEG") + csmip_channel(3, "UP") * 2,
@@ -307,7 +307,7 @@ REFUSED = {
     ],
     "cosmos": [
         (VELOCITY, "names of its blocks"),
-        (cosmos(kind="velocity"), "A block of velocity ends as one of acceleration"),
+        (cosmos(kind="velocity"), "is not as the format has it; it must state 'veloc'"),
         (cosmos(kind="raw accel. ", unit=" counts (50)", end=END), "raw counts or volts of a recorder"),
         (cosmos(kind="temperature", end=END), "how many samples follow"),
         (cosmos(count=20), "samples 20"),

@@ -103,7 +103,7 @@ def test_lines_at_the_beginning_are_passed_over(read, refusal, above):
     assert refusal(text)
     assert read(text.replace(above.split("\n")[0], "synthetic"), skip_lines=3)[0].synthetic
     for count in (6, 7, 100):
-        assert f"skip_lines is {count}; the file must have more" in str(refusal(text, skip_lines=count))
+        assert f"skip_lines is {count}; it must be smaller than" in str(refusal(text, skip_lines=count))
 
 
 @pytest.mark.parametrize("mark", [";", "\t", " "])

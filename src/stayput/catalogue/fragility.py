@@ -28,17 +28,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     "booleans": ("of type bool, with missing runs apart", "bool型（打ち切った計算はmissingで指定）"),
     "axes": ("of {dimensions} axes, none empty", "{dimensions}次元で、どの軸も1以上の長さ"),
     "either": ("{first} or {second}", "{first}または{second}"),
-    "list_shapes": (
-        "The shapes are {im}, {fell}, {runs}; they must be lists of one length.",
-        "形状が{im}、{fell}、{runs}になっています。同じ長さの1次元の配列にしてください。",
-    ),
     "bad_counts": (
         "A level has {fell:g} falls of {runs:g} runs; it must have whole numbers, no more falls than runs.",
         "転倒数が{fell:g}、計算数が{runs:g}の段階があります。整数とし、転倒数は計算数以下にしてください。",
     ),
-    "unknown_measure": (
-        "{name} is {value}{hint}; it must be one of {known}, or SA(T) with a period T in seconds: SA(0.5).",
-        "{name}が{value}になっています{hint}。{known}のいずれか、または周期T秒のSA(T)（例：SA(0.5)）にしてください。",
+    "measures": (
+        "{known}, or SA(T) with a period T in seconds: SA(0.5)",
+        "{known}、または周期T秒のSA(T)（例：SA(0.5)）",
     ),
     "no_runs": (
         "There are no runs, or all were given up; at least one is needed.",
@@ -85,10 +81,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{measure}{level}で転倒した割合は{probability}です。ほかの強さでは計算していません。{intervals}",
     ),
     "curve_abrupt": (
-        (
-            "All stand up to a level and all fall from the next on, so there is no curve: "
-            "half fall at {measure} {half}.{intervals}"
-        ),
+        "There is no curve, as all stand up to a level and fall from the next: half fall at {measure} {half}.{intervals}",
         "ある強さまではすべて転倒せず、次の強さからはすべて転倒するため、曲線はありません。半数が転倒する{measure}は{half}です。{intervals}",
     ),
     "curve_no_trend": (

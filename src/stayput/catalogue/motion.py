@@ -20,6 +20,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "the_component": ("The component", "成分"),
     "location": ("The location", "ロケーション"),
     "the_motion": ("The motion", "地震動"),
+    "two_or_more": ("2 or more", "2以上の数"),
     # The samples of a motion.
     "samples_of": ("Motion {component}", "地震動の{component}成分"),
     "row_of_samples": (
@@ -27,14 +28,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "欠測のない実数（m/s²）を1列に並べたデータ",
     ),
     "samples_count": ("The number of samples of {component}", "{component}成分のデータの数"),
-    "samples_not_finite": (
-        "Motion {component} is {value} at sample {index}; it must be finite.",
-        "地震動の{component}成分に数値でない値が含まれています（データ番号{index}が{value}）。",
-    ),
-    "samples_too_large": (
-        "Motion {component} at sample {index} is {value:g} m/s²; it must be from -{most:g} to {most:g} m/s².",
-        "加速度が大きすぎます（{component}成分の{index}番で{value:g} m/s²）。±{most:g} m/s²以内の値にし、単位を確かめてください。",
-    ),
+    "sample_of": ("Motion {component} at sample {index}", "地震動の{component}成分のデータ番号{index}"),
     # What is done with a motion.
     "rotation_without_y": (
         "The motion has no y component; rotated needs x and y (flipped does not).",
@@ -47,10 +41,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "resampling_ratio": (
         "The new dt is {step:g} s; it must be a whole part or a multiple of {dt:g} s.",
         "新しい時間刻みが{step:g}秒になっています。{dt:g}秒の整数分の1か整数倍にしてください。",
-    ),
-    "resampled_too_short": (
-        "The record has {count} samples; a step {ratio} times as long needs at least {least}.",
-        "記録のデータは{count}個です。時間刻みを{ratio}倍にするには{least}個以上が必要です。",
     ),
     "at2_one_component": (
         "The motion has {components} and an AT2 file holds one component; it must be picked first.",
@@ -88,10 +78,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "motion_dt_differs": (
         "The dt of {component} is {dt:g} s; it must be that of x, {x_dt:g} s.",
         "{component}成分の時間刻みが{dt:g}秒です。x成分と同じ{x_dt:g}秒でなければなりません。",
-    ),
-    "ambiguous_channel": (
-        "The component {component!r} is more than one channel of the file; it must be one of {channels}.",
-        "「{component}」に当たるチャンネルがファイルに複数あります。次から選んで入力してください：「{channels}」",
     ),
     "many_channels": (
         "The file has {count} channels; component must name one of {channels}.",
@@ -183,13 +169,15 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{first}成分と{second}成分が同じ記録（{name}）です。別々の成分の記録を指定してください。",
     ),
     "two_records": (
-        "The {first} component is of {one} and the {second} component of {other}; they must be of one record.",
-        "{first}成分は{one}、{second}成分は{other}の記録です。同じ地震、観測点、地震計の記録でなければなりません。",
+        "The {first} component is of {one} and the {second} component of {other}; they must be of one {what}.",
+        "{first}成分は{one}、{second}成分は{other}の記録です。同じ{what}の記録でなければなりません。",
     ),
     "origin_unstated": (
         "The files of the {first} and {second} components do not both say of which record they are; check it.",
         "{first}成分と{second}成分のファイルから、同じ記録かどうかが分かりません。確かめてください。",
     ),
+    "same_record": ("record", "地震、観測点、地震計"),
+    "same_place": ("place", "場所"),
     "sensor_borehole": ("borehole", "地中"),
     "sensor_surface": ("surface", "地表"),
     "one_direction": (
@@ -224,10 +212,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value}; bare samples must be given their time step, in m/s²: Motion(dt=0.01, x=samples).",
         "{name}が{value}になっています。時間刻みを付け、m/s²の値でMotion(dt=0.01, x=samples)のように指定してください。",
     ),
-    "suite_one_motion": (
-        "The suite has 1 motion; a standard deviation needs at least 2.",
-        "地震動が1つしかありません。標準偏差を求めるには2つ以上必要です。",
-    ),
     "the_suite": ("The suite", "地震動群"),
     "folder_of_records": ("a folder, or a list of files", "地震記録のフォルダかファイルの一覧"),
     "suite_left_out": (
@@ -236,17 +220,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "no_acceleration": ("{files}{more} (no acceleration)", "{files}{more}（加速度ではない）"),
     "ground": ("the ground", "地面"),
-    "two_floors": (
-        "The {component} motion is of {other} and the x motion of {of}; both must be of the same place.",
-        "{component}成分は{other}の揺れ、x成分は{of}の揺れです。同じ場所の記録にしてください。",
-    ),
     "vertical_only": ("{files}{more} (vertical alone)", "{files}{more}（上下動のみ）"),
     "in_borehole": ("{files}{more} (borehole)", "{files}{more}（地中の記録）"),
     "no_record": ("{files}{more} (no record)", "{files}{more}（記録ではない）"),
     "and_more": (" and {count} more", "など（ほか{count}件）"),
-    "target_lengths": (
-        "The target has {periods} periods and {values} values of Sa; it must have as many, at least 2.",
-        "目標スペクトルの周期が{periods}個、Saが{values}個です。同じ数で、2個以上にしてください。",
-    ),
 }
 """Texts by their keys: English, Japanese."""

@@ -18,24 +18,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "binary (other formats can be read with ObsPy for Motion.from_obspy)",
         "テキストでないファイル（ほかの形式は「ObsPy」で読み、「Motion.from_obspy」で渡せます）",
     ),
-    "file_long_line": (
-        "The motion file {path!r} has a line of {length} characters; {most} are allowed.",
-        "「{path}」に長すぎる行があります（{length}文字）。1行は{most}文字までです。",
-    ),
+    "a_line_of": ("A line of {file!r}", "「{file}」の1行"),
     "file_cut": (
         "The file ends within a number, with {tail!r}; it must be complete.",
         "ファイルが途中で切れています（末尾の数値が「{tail}」）。",
     ),
     "unknown_format": (
-        "The motion file {path!r} is in no known format; it must be one of {formats}.",
-        "「{path}」は対応している形式のファイルではありません。次のいずれかの形式にしてください：「{formats}」",
-    ),
-    "other_format": (
-        (
-            "The motion file {path!r} is in the format {format}, which is not read; its acceleration must be saved as "
-            "columns of numbers, or the record had in one of {formats}."
-        ),
-        "「{path}」は「{format}」形式のファイルで、この形式には対応していません。加速度を数値の列として保存するか、次のいずれかの形式の記録を使ってください：「{formats}」",
+        "The motion file {path!r} is in {format}; it must be in one of {formats}.",
+        "「{path}」は{format}のファイルで、読み込めません。次のいずれかの形式にしてください（ほかの形式では、加速度を数値の列として保存できます）：「{formats}」",
     ),
     # A file's unit and time step.
     "unknown_unit": ("The unit of acceleration", "加速度の単位"),
@@ -110,6 +100,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "the_peak": ("peak acceleration", "最大加速度"),
     "the_time_step": ("time step", "時間刻み"),
     "the_unit": ("unit", "単位"),
+    "the_number": ("channel number", "チャンネルの番号"),
+    "no_known_format": ("no known format", "対応していない形式"),
+    "a_format": ("the format {format}, which is not read", "「{format}」形式"),
+    "the_time": ("The time", "時刻の見出し"),
+    "characters": ("characters", "文字数"),
     "number_of_samples": ("number of samples", "データの数"),
     "the_integer_header": ("integer header", "整数ヘッダー"),
     "the_real_header": ("real header", "実数ヘッダー"),
@@ -182,10 +177,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "速度、変位、大きさの列「{columns}」は使いません。各方向の加速度の列だけを使います。",
     ),
     "not_of_format": ("for a file of {format}, which has no use for it", "{format}のファイル"),
-    "all_skipped": (
-        "{name} is {count}; the file must have more lines.",
-        "{name}が{count}になっています。ファイルの行数より小さくしてください。",
-    ),
+    "fewer_lines": ("smaller than the number of the file's lines", "ファイルの行数より小さい数"),
     "other_instrument": (
         "Channel {channel} is of no accelerometer by its SEED code, whose letter {letter} must be N, L or G.",
         "チャンネル{channel}は、SEEDコードの計器の文字が{letter}で、加速度計（N、L、G）のものではありません。",
@@ -206,10 +198,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "columns_of_numbers": ("columns of numbers", "数値の列"),
     "file_and_form": ("{file} ({form})", "{file}（{form}）"),
     "column_count": (
-        (
-            "The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, z), unless {option} "
-            "says which are these, as in {example}."
-        ),
+        "The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, z), or {option} as {example}.",
         "{columns}列あります。1列（加速度）、2列（時刻と加速度）、4列（時刻とx、y、z）にするか、どれがそれらの列かを「{option}」で指定してください（例：「{example}」）。",
     ),
     "column_first_row": (
@@ -229,10 +218,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "列の見出し{column}に単位がなく、ほかの列の単位は互いに異なります。見出しに単位を書いてください。",
     ),
     "column_order": (
-        (
-            "The file states its columns as {columns}, and has {count} columns; each must be named once, the time and "
-            "the directions as in 'time, NS, EW, UD'."
-        ),
+        "The columns are stated as {columns} and are {count}; each must be named once, as in 'time, NS, EW, UD'.",
         "ファイルには列が{columns}と書かれていますが、{count}列あります。「time, NS, EW, UD」のように、時刻と各列の方向を1つずつ書いてください。",
     ),
     "column_order_unread": (
@@ -248,41 +234,24 @@ TEXTS: dict[str, tuple[str, str]] = {
         "見出しと数値の間に{line}という行があります。ここには各列の単位だけを書けます。",
     ),
     "other_sign": (
-        (
-            "By {said} numbers are positive the other way; they must change sign, and that be left out, or the column of "
-            "the vertical be headed 'Down'."
-        ),
+        "By {said} numbers are positive the other way; change their sign and leave it out, or head the vertical 'Down'.",
         "{said}によると、数値の正負の向きが逆です。符号を反転してその記載を消すか、上下動の列の見出しを「Down」としてください。",
     ),
     "spectral": ("a peak or a spectrum", "最大値やスペクトル"),
-    "two_units": (
-        "The file states the units {first} and {second}; they must agree.",
-        "ファイルに{first}と{second}という異なる単位が書かれています。一致しなければなりません。",
+    "stated_twice": (
+        "The file states as the {what} both {first} and {second}; they must agree.",
+        "ファイルに{first}と{second}という異なる{what}が書かれています。一致しなければなりません。",
     ),
     "column_no_time": (
-        (
-            "The first column is headed {column} and no other one is headed as the time; one must be, unless {option} "
-            "says which to read and the time step is given."
-        ),
+        "The first column is headed {column} and none as the time; one must be, or {option} and the time step given.",
         "最初の列の見出しは{column}で、時刻の見出しのある列がありません。時刻の列を加えるか、読む列を「{option}」で、時間刻みも指定してください。",
     ),
     "column_times": (
         "The columns {columns} are all headed as the time; only one must be.",
         "時刻の見出しのある列が複数あります（{columns}）。時刻の列は1つでなければなりません。",
     ),
-    "column_time_unit": (
-        "The time is headed {column}; it must be in s or ms.",
-        "時刻の見出しが{column}になっています。単位は秒またはミリ秒でなければなりません。",
-    ),
+    "time_in": ("in s or ms", "秒（s）またはミリ秒（ms）"),
     # What single formats lack.
-    "cosmos_another_end": (
-        "A block of {begun} ends as one of {ended}; it must be the same.",
-        "「{begun}」のブロックが「{ended}」として終わっています。同じでなければなりません。",
-    ),
-    "csmip_two_numbers": (
-        "Channel {channel} of the file is numbered {numbers}; it must have one number.",
-        "ファイルの{channel}番目のチャンネルに複数の番号があります（{numbers}）。番号は1つでなければなりません。",
-    ),
     "csmip_directions": (
         "The header of channel {channel} gives the directions {directions}; {taken} is taken.",
         "チャンネル{channel}のヘッダーの成分の方向が一致しません（{directions}）。{taken}として使います。",

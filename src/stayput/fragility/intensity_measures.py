@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, near_miss, not_allowed, numbers, within
+from stayput.errors import not_allowed, numbers, unknown, within
 from stayput.model.parameters import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
@@ -175,7 +175,6 @@ def intensity_measure(text: str, name: str = "im") -> IntensityMeasure:
     except ValueError:
         period = None
     if period is None:
-        hint = "" if text.upper().startswith("SA") else near_miss(text, known)
-        listed = ", ".join(map(repr, known))
-        raise InputError("fragility.unknown_measure", name, value=repr(text), hint=hint, known=listed)
+        listed = phrase("fragility.measures", known=", ".join(map(repr, known)))
+        raise unknown(name, text, known, name, listed=listed)
     return spectral_acceleration(within(name, period, *PERIODS, "s", name))

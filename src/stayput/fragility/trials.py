@@ -146,11 +146,9 @@ class Trials:
         InputError
             Arrays of other shapes, more falls than runs, or intensities that cannot be.
         """
-        values = instance_of("measure", measure, IntensityMeasure).checked(im)
-        k, n = numbers("fell", fell, "fell"), numbers("runs", runs, "runs")
-        if not values.ndim == 1 <= len(values) or not values.shape == k.shape == n.shape:
-            im_shape, fell_shape, runs_shape = (str(each.shape) for each in (values, k, n))
-            raise InputError("fragility.list_shapes", im=im_shape, fell=fell_shape, runs=runs_shape)
+        count = np.size(im)
+        values = instance_of("measure", measure, IntensityMeasure).checked(numbers("im", im, "im", count))
+        k, n = numbers("fell", fell, "fell", count), numbers("runs", runs, "runs", count)
         bad = ~((k >= 0.0) & (k <= n) & (k == np.rint(k)) & (n == np.rint(n)))
         if bad.any():
             raise InputError("fragility.bad_counts", fell=k[bad][0], runs=n[bad][0])

@@ -238,9 +238,8 @@ def _chosen(channels: Sequence[Channel], component: str) -> int:
     if len(matches) == 1:
         return matches[0]
     listing = _numbered(channels, _horizontal(channels))
-    if matches:
-        raise InputError("motion.ambiguous_channel", "component", component=component, channels=listing)
-    raise unknown("motion.the_component", component, filter(None, labels), "component", listed=listing)
+    known = () if matches else filter(None, labels)  # of two that are meant none is suggested
+    raise unknown("motion.the_component", component, known, "component", listed=listing)
 
 
 def _horizontal(channels: Sequence[Channel]) -> dict[int, str]:

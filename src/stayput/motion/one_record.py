@@ -59,7 +59,7 @@ def check_one_record(parts: Mapping[str, Motion]) -> None:
             of, other = (
                 floor_phrase(part.floor) if part.floor else phrase("motion.ground") for part in (x, motion)
             )
-            raise InputError("motion.two_floors", name, component=name, of=of, other=other)
+            raise _apart("same_place", "x", of, name, other)
 
 
 def _alike(a: NDArray[np.float64], b: NDArray[np.float64]) -> bool:
@@ -75,9 +75,14 @@ def _check_origins(first: str, a: Listing, second: str, b: Listing) -> None:
         return
     # A title in which no direction was found may have it among its words, and so differ.
     if origin and other and a.labels["x"] and b.labels["x"]:
-        about: dict[str, Any] = {"one": _told(origin), "other": _told(other)}
-        raise InputError("motion.two_records", second, first=first, second=second, **about)
+        raise _apart("same_record", first, _told(origin), second, _told(other))
     warn(InputWarning("motion.origin_unstated", second, first=first, second=second))
+
+
+def _apart(what: str, first: str, one: Phrase, second: str, other: Phrase) -> InputError:
+    """Return the refusal of two components that are not of the same."""
+    about: dict[str, Any] = {"one": one, "other": other, "what": phrase(f"motion.{what}")}
+    return InputError("motion.two_records", second, first=first, second=second, **about)
 
 
 def _told(origin: str) -> Phrase:

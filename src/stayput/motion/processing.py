@@ -42,7 +42,7 @@ QUANTUM = 1e-6
 
 
 def check_size(component: str, samples: NDArray[np.float64], field: str) -> None:
-    """Raise `InputError` when an acceleration is larger than any that is accepted.
+    """Raise `InputError` when an acceleration is not finite, or larger than any that is accepted.
 
     Parameters
     ----------
@@ -53,13 +53,9 @@ def check_size(component: str, samples: NDArray[np.float64], field: str) -> None
     field : str
         Name of the input that is wrong.
     """
-    index = int(np.abs(samples).argmax())
-    value = float(samples[index])
-    if abs(value) > LARGEST_ACCELERATION:
-        most = LARGEST_ACCELERATION
-        raise InputError(
-            "motion.samples_too_large", field, component=component, index=index, value=value, most=most
-        )
+    index = int(np.abs(samples).argmax())  # the first NaN, where there is any
+    name, most = phrase("motion.sample_of", component=component, index=index), LARGEST_ACCELERATION
+    within(name, samples[index], -most, most, "m/s²", field)
 
 
 def checked_samples(name: str, values: ArrayLike) -> NDArray[np.float64]:
@@ -79,10 +75,6 @@ def checked_samples(name: str, values: ArrayLike) -> NDArray[np.float64]:
         raise not_allowed(called, shown(values), "motion.row_of_samples", name)
     within(phrase("motion.samples_count", component=name), raw.size, 2, MOST_SAMPLES, field=name)
     array = np.array(raw, dtype=np.float64, order="C")
-    bad = np.flatnonzero(~np.isfinite(array))
-    if bad.size:
-        value, index = float(array[bad[0]]), int(bad[0])
-        raise InputError("motion.samples_not_finite", name, component=name, value=value, index=index)
     check_size(name, array, name)
     array.setflags(write=False)
     return array
@@ -117,15 +109,8 @@ def coarsen(a: NDArray[np.float64], steps: int) -> NDArray[np.float64]:
     a : ndarray, shape (n,)
         Acceleration [m/s²].
     steps : int
-        Ratio of the time steps, ≥ 2.
-
-    Raises
-    ------
-    InputError
-        Fewer than two samples would be left.
+        Ratio of the time steps, ≥ 2 and less than n.
     """
-    if len(a) <= steps:
-        raise InputError("motion.resampled_too_short", "dt", count=len(a), ratio=steps, least=steps + 1)
     half = _TAPS_PER_STEP * steps
     window = np.kaiser(2 * half + 1, _KAISER_BETA)
     taps = np.sinc(0.8 / steps * np.arange(-half, half + 1)) * window

@@ -408,7 +408,8 @@ class Motion:
         so nothing is folded down; what is faster than that is lost, and up to one new step at the end.
         For any other step do one after the other.
         """
-        step = within("motion.name_dt", dt, *STEP_RANGE, "s", "dt")
+        longest = min(STEP_RANGE[1], self.duration * (1.0 + 1e-6))  # so that two samples are left
+        step = within("motion.name_dt", dt, STEP_RANGE[0], longest, "s", "dt")
         source = self._note(f"resampled from {self.dt:g} s to {step:g} s")
         if parts := whole_ratio(self.dt, step):
             return self._each(lambda a: refine(a, parts), dt=self.dt / parts, source=source)

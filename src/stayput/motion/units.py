@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, excerpt, warn, within
+from stayput.errors import InputError, InputWarning, excerpt, not_allowed, unknown, warn, within
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.channels import is_direction, is_vertical
 from stayput.motion.processing import STEP_RANGE
@@ -73,12 +73,7 @@ def unit_factor(unit: str) -> float:
     """
     name = known_unit(str(unit))
     if name is None:
-        about: dict[str, Any] = {
-            "name": phrase("motion.unknown_unit"),
-            "value": excerpt(str(unit)),
-            "hint": "",
-        }
-        raise InputError("common.not_one_of", "unit", known=UNIT_NAMES, **about)
+        raise unknown("motion.unknown_unit", str(unit), ACCELERATION_UNITS, "unit", listed=UNIT_NAMES)
     return ACCELERATION_UNITS[name]
 
 
@@ -364,7 +359,7 @@ def time_factor(text: str) -> float:
         return 1.0
     if not scaled and unit and unit["ms"]:
         return 1e-3
-    raise InputError("motion.column_time_unit", column=excerpt(text))
+    raise not_allowed("motion.the_time", excerpt(text), "motion.time_in")
 
 
 def other_quantities(headings: Headings) -> list[int]:
@@ -446,14 +441,15 @@ def _own_unit(text: str, stated: str | None, passed: str | None) -> str | None:
             name = phrase(f"motion.{quantity}")
             raise InputError("motion.not_acceleration", where=excerpt(text), quantity=name)
         names = (name for name in BRACKET.findall(text) if not (is_direction(name) and name.isalnum()))
-        unknown = next(filter(_LIKE_A_UNIT.fullmatch, names), None)
-        if unknown is not None and passed is not None:
-            warn(InputWarning("motion.unit_mentioned", "unit", given=passed, mentioned=unknown))
-        elif unknown is not None and stated is None:
-            raise unknown_unit(unknown)
+        other = next(filter(_LIKE_A_UNIT.fullmatch, names), None)
+        if other is not None and passed is not None:
+            warn(InputWarning("motion.unit_mentioned", "unit", given=passed, mentioned=other))
+        elif other is not None and stated is None:
+            raise unknown_unit(other)
         return None
     if stated is not None and unit_factor(stated) != unit_factor(unit):
-        raise InputError("motion.two_units", first=excerpt(stated), second=excerpt(text))
+        first, second = excerpt(stated), excerpt(text)
+        raise InputError("motion.stated_twice", what=phrase("motion.the_unit"), first=first, second=second)
     if passed is not None and unit_factor(passed) != unit_factor(unit):
         raise not_the_files_own("unit", excerpt(passed), excerpt(text))
     return unit

@@ -14,7 +14,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, Unpack
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, instance_of, warn, warnings_to, whole_within, within
+from stayput.errors import (
+    InputError,
+    InputWarning,
+    instance_of,
+    not_allowed,
+    warn,
+    warnings_to,
+    whole_within,
+    within,
+)
 from stayput.motion import seismogram
 from stayput.motion.channels import (
     check_horizontal,
@@ -307,17 +316,15 @@ def _channels(
 
 def _not_read(path: str | os.PathLike[str], other: str | None) -> InputError:
     """Return the refusal of a file in a format that is known but not read, or in none that is known."""
-    names = [reader.name for reader in READERS if not (other and reader is COLUMNS)]
-    formats = ", ".join((*names, seismogram.FORMAT))
-    if other:
-        return InputError("motion.other_format", path=str(path), format=other, formats=formats)
-    return InputError("motion.unknown_format", path=str(path), formats=formats)
+    formats = ", ".join((*(reader.name for reader in READERS), seismogram.FORMAT))
+    form = phrase("motion.a_format", format=other) if other else phrase("motion.no_known_format")
+    return InputError("motion.unknown_format", path=str(path), format=form, formats=formats)
 
 
 def _without_lines(text: str, count: int) -> str:
     lines = text.split("\n", count)
     if len(lines) <= count or not lines[-1].strip():
-        raise InputError("motion.all_skipped", "skip_lines", name="skip_lines", count=count)
+        raise not_allowed("skip_lines", str(count), "motion.fewer_lines", "skip_lines")
     return lines[-1]
 
 

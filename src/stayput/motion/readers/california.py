@@ -62,7 +62,6 @@ _KIND = (
 _COUNT = re.compile(rf"([0-9]{{1,9}}) {_KIND} (?:pts|points)\b", re.IGNORECASE)
 _UNITS = re.compile(r"units ?= ?([^,(]{1,20})", re.IGNORECASE)
 _FORMAT = re.compile(r"Format ?= ?\( ?([0-9]{0,3})[FEIG]([0-9]{1,2})", re.IGNORECASE)
-_KINDS = {"accel": "acceleration", "veloc": "velocity", "displ": "displacement"}
 _LASTS = re.compile(r"\bapprox ([0-9]{1,9}) secs?\b", re.IGNORECASE)
 _UNKNOWN = re.compile(r"unknown/unspecified: ?(-?[0-9]{1,9})\b", re.IGNORECASE)
 _LABEL = re.compile(
@@ -153,8 +152,9 @@ def _check_number(header: list[str], last_line: str, position: int) -> str:
     end = _CSMIP_END.search(_plain(last_line))
     numbers = {int(m[1]) for m in matches} | ({int(end[1])} if end else set[int]())
     if len(numbers) > 1:
-        listing = " and ".join(map(str, sorted(numbers)))
-        raise InputError("motion.csmip_two_numbers", channel=position, numbers=listing)
+        first, second, *_ = sorted(numbers)
+        what = phrase("motion.the_number")
+        raise InputError("motion.stated_twice", what=what, first=first, second=second)
     directions = [_FROM.split(m[2].strip(), maxsplit=1)[0].strip() for m in matches]
     if len({plain_label(direction) for direction in directions}) > 1:
         listing, taken = joined(map(excerpt, directions), LISTED), excerpt(directions[0])
@@ -263,10 +263,10 @@ def _cosmos_channel(
     _check_layout(announced, points, int(layout[1] or 1), width)
     samples = numbers(fields(rest.until(_ends_samples), width) if kind == "accel" else [], "the_samples")
     rest.skip_to(_ends_samples)
-    end = _COSMOS_END.match(_plain(rest.take()))
+    end = _COSMOS_END.match(last := _plain(rest.take()))
     assert end is not None
     if end[2] is not None and end[2].lower() != kind:
-        raise InputError("motion.cosmos_another_end", begun=_KINDS[kind], ended=_KINDS[end[2].lower()])
+        raise InputError("motion.header_line", line=excerpt(last), wanted=excerpt(kind))
     if kind != "accel":
         return None
     check_count(len(samples), points)

@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any, TypedDict, cast
 
 import numpy as np
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, excerpt, shown, unknown, warn, without_control
 from stayput.motion.channels import LISTED, Channel, in_borehole, is_direction, labels_phrase
 from stayput.motion.readers.headings import Headings, is_time, is_title, read_headings, split, units_in
@@ -165,7 +166,7 @@ def read_columns(
     units = {unit_factor(name): name for name in map(stated_unit, above) if name and known_unit(name)}
     if len(units) > 1:
         first, second, *_ = map(excerpt, units.values())
-        raise InputError("motion.two_units", first=first, second=second)
+        raise InputError("motion.stated_twice", what=phrase("motion.the_unit"), first=first, second=second)
     written = stated_step("\n".join(above))
     timeless = "t" not in chosen if chosen else len(places) == 1
     # The headings of chosen columns begin with one of the time, whether the file has that or not.

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, excerpt, instance_of, reason_of
+from stayput.errors import InputError, excerpt, instance_of, reason_of, too_many
 from stayput.files import LARGEST_RECORD
 
 if TYPE_CHECKING:
@@ -84,7 +84,8 @@ def file_text(path: str | os.PathLike[str]) -> str:
         data = data.replace(b"\r\r\n", b"\n").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
     longest = len(_decoded(max(io.BytesIO(data), key=len).rstrip(b"\n")))
     if longest > LONGEST_LINE:
-        raise InputError("motion.file_long_line", path=str(path), length=longest, most=LONGEST_LINE)
+        line = phrase("motion.a_line_of", file=str(path))
+        raise too_many(line, longest, "motion.characters", LONGEST_LINE)
     return _decoded(data)
 
 

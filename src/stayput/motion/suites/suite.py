@@ -161,7 +161,7 @@ class Suite(Sequence[Motion]):
             Only one motion.
         """
         if len(self) < 2:
-            raise InputError("motion.suite_one_motion")
+            raise not_allowed("motion.name_count", str(len(self)), "motion.two_or_more")
         return self._logs(periods, damping, component).std(axis=0, ddof=1)
 
     def scaled(self, factor: float) -> Suite:

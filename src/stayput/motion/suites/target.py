@@ -17,7 +17,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, excerpt, instance_of, numbers, whole_within, within, word_of
+from stayput.errors import (
+    InputError,
+    excerpt,
+    instance_of,
+    not_allowed,
+    numbers,
+    whole_within,
+    within,
+    word_of,
+)
 from stayput.execution import Pool
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import of_the_ground
@@ -101,9 +110,10 @@ class TargetSpectrum:
     def __post_init__(self) -> None:
         instance_of("of_the_ground", self.of_the_ground, bool)
         periods = checked_periods(self.periods)
-        sa = np.atleast_1d(numbers("sa", self.sa, "sa"))
-        if len(periods) < 2 or sa.shape != periods.shape:
-            raise InputError("motion.target_lengths", "sa", periods=len(periods), values=sa.size)
+        if len(periods) < 2:
+            name, shape = phrase("common.shape_of", name="periods"), str(periods.shape)
+            raise not_allowed(name, shape, "motion.two_or_more", "periods")
+        sa = numbers("sa", self.sa, "sa", len(periods))
         for value in sa:
             within("sa", value, 1e-6, LARGEST_ACCELERATION, "m/s²", "sa")
         within("damping", self.damping, 0.0, 0.95, field="damping")
