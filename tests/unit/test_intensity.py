@@ -6,14 +6,15 @@ import numpy as np
 import pytest
 
 from stayput import InputError
+from stayput.motion.ground_shaking import mercalli_of
 from stayput.motion.intensity import (
     CLASSES,
-    Intensities,
     SpectralMeasures,
     intensity_class,
     intensity_of_class,
     jma_from_pgv,
     kawasumi,
+    long_period_response,
     mercalli,
     published_intensity,
 )
@@ -91,8 +92,8 @@ def test_still_floor_has_none_and_cannot_be_scaled():
     assert still.intensity == -math.inf
     with pytest.raises(InputError, match="still floor"):
         still.to_intensity(5.0)
-    told = Intensities.of(still)
-    assert (told.published, told.intensity_class, told.long_period_class) == (0.0, "0", 0)
+    assert (published_intensity(still.intensity), intensity_class(still.intensity)) == (0.0, "0")
+    assert (long_period_response(still.x, still.y, still.dt), mercalli_of(still)) == (0.0, 1.0)
     assert math.isnan(SpectralMeasures.of(still).mean_period)
 
 
@@ -134,11 +135,13 @@ def test_conversion_of_nothing():
 
 
 def test_cav_of_a_sine_is_its_mean_magnitude():
-    assert sine(2.0, 1.0, 10.0, dt=0.005).cav == pytest.approx(2.0 * 2.0 / math.pi * 10.0, rel=1e-4)
+    assert sine(2.0, 1.0, 10.0, dt=0.005).peaks()["x"].cav == pytest.approx(
+        2.0 * 2.0 / math.pi * 10.0, rel=1e-4
+    )
 
 
 def test_cav_between_samples_of_other_sign():
-    assert Motion(1.0, np.array([1.0, -1.0])).cav == pytest.approx(0.5)
+    assert Motion(1.0, np.array([1.0, -1.0])).peaks()["x"].cav == pytest.approx(0.5)
 
 
 def test_fourier_amplitude_of_a_sine():

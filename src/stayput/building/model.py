@@ -74,8 +74,7 @@ class ShakenFloors:
         ground, model = _ground(motion), self.model
         storeys = range(1, model.storeys + 2)
         histories = {
-            name: model.histories(a, ground.dt, storeys, drifts=True)
-            for name, a in _horizontal(ground).items()
+            name: model.histories(a, ground.dt, storeys, drifts=True) for name, a in ground.horizontal.items()
         }
         return FloorResponse(
             model,
@@ -145,7 +144,7 @@ class ShakenFloors:
         storeys = range(1, model.storeys + 2)
 
         def peaks_of(motion: Motion) -> NDArray[np.float64]:
-            rows = _horizontal(motion)
+            rows = motion.horizontal
             word_of("motion.the_component", component, rows, "component")
             return model.histories(rows[component], motion.dt, storeys).peaks()
 
@@ -300,7 +299,7 @@ class ShearModel(ShakenFloors):
 
     def floors_of(self, ground: Motion, storeys: Sequence[int]) -> tuple[Motion, ...]:
         """Return the floor motions of the wanted storeys, and compute no others."""
-        histories = {name: self.histories(a, ground.dt, storeys) for name, a in _horizontal(ground).items()}
+        histories = {name: self.histories(a, ground.dt, storeys) for name, a in ground.horizontal.items()}
         return tuple(
             self.motion_of(
                 ground,
@@ -336,8 +335,3 @@ class ShearModel(ShakenFloors):
 def _ground(motion: Motion) -> Motion:
     """Return the motion; refuse one that is not of the ground."""
     return of_the_ground(Motion.given(motion), "building")
-
-
-def _horizontal(ground: Motion) -> dict[str, NDArray[np.float64]]:
-    """Return the horizontal components that are there, x first."""
-    return {name: a for name, a in ground.components.items() if name != "z"}

@@ -67,10 +67,17 @@ def info(
 
 def _measures(motion: Motion) -> dict[str, Any]:
     """Return how strong a motion is, as one JSON object."""
-    from stayput.motion.intensity import Intensities, SpectralMeasures
+    from stayput.motion.ground_shaking import mercalli_of
+    from stayput.motion.intensity import (
+        SpectralMeasures,
+        intensity_class,
+        long_period_class,
+        long_period_response,
+    )
     from stayput.report.summary import number
 
-    about, moved = Intensities.of(motion), _displacements(motion)
+    intensity, moved = motion.intensity, _displacements(motion)
+    response = long_period_response(motion.x, motion.y, motion.dt)
     parts = {name: (peaks, SpectralMeasures.of(motion, name)) for name, peaks in motion.peaks().items()}
     return {
         "name": motion.name,
@@ -79,11 +86,11 @@ def _measures(motion: Motion) -> dict[str, Any]:
         "dt_s": motion.dt,
         "samples": len(motion),
         "duration_s": motion.duration,
-        "jma_intensity": number(about.intensity),
-        "jma_class": None if motion.floor else about.intensity_class,
-        "long_period_sva_m_s": about.long_period_response,
-        "long_period_class": None if motion.floor else about.long_period_class,
-        "modified_mercalli": number(about.mercalli),
+        "jma_intensity": number(intensity),
+        "jma_class": None if motion.floor else intensity_class(intensity),
+        "long_period_sva_m_s": response,
+        "long_period_class": None if motion.floor else long_period_class(response),
+        "modified_mercalli": number(mercalli_of(motion)),
         "floor": motion.floor or None,
         "components": {
             name: {
@@ -123,24 +130,24 @@ LINES = {
 def _print_info(motion: Motion, lang: str) -> None:
     from stayput.catalogue.names import INTENSITIES
     from stayput.motion.floors import floor_phrase
-    from stayput.motion.intensity import Intensities
+    from stayput.motion.intensity import published_intensity
     from stayput.report.names import given_name, motion_label
 
     console, paragraph = terminal(lang, motion_label(motion, lang))
     console.print(given_name(motion.source, lang))
     console.print(say("cli.samples", lang, count=len(motion), dt=motion.dt, duration=motion.duration))
-    about = Intensities.of(motion)
+    about = _measures(motion)
     strong = say(
         "cli.intensities_of_floor" if motion.floor else "cli.intensities",
         lang,
-        intensity=about.published,
-        name=floor_phrase(motion.floor) if motion.floor else INTENSITIES[about.intensity_class],
-        long_period=about.long_period_class,
-        sva=100.0 * about.long_period_response,
-        mmi=about.mercalli,
+        intensity=published_intensity(motion.intensity),
+        name=floor_phrase(motion.floor) if motion.floor else INTENSITIES[about["jma_class"]],
+        long_period=about["long_period_class"],
+        sva=100.0 * about["long_period_sva_m_s"],
+        mmi=about["modified_mercalli"],
     )
     paragraph(strong)
-    parts = _measures(motion)["components"]
+    parts = about["components"]
     rows: list[list[str]] = []
     for label, (key, factor) in LINES.items():
         values = (

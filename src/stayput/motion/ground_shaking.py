@@ -30,7 +30,7 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError, excerpt
 from stayput.model.parameters import arguments, check_fields, parameter, quantity
 from stayput.motion.floors import of_the_ground
-from stayput.motion.intensity import factor_to_intensity, pgv_of_mercalli
+from stayput.motion.intensity import factor_to_intensity, mercalli, pgv_of_mercalli
 from stayput.motion.processing import LARGEST_ACCELERATION
 from stayput.motion.response import DAMPING
 from stayput.uncertainty import random_bits
@@ -215,12 +215,11 @@ def horizontal_sa(motion: Motion, period: float) -> float:
     InputError
         A component that is still.
     """
-    names = [name for name in ("x", "y") if name in motion.components]
-    values = [float(motion.spectrum(period, DAMPING, name).sa[0]) for name in names]
-    for name, sa in zip(names, values, strict=True):
+    values = {name: float(motion.spectrum(period, DAMPING, name).sa[0]) for name in motion.horizontal}
+    for name, sa in values.items():
         if not sa > 0.0:
             raise InputError("motion.still_component", component=name, motion=excerpt(motion.name))
-    return math.prod(values) ** (1.0 / len(values))
+    return math.prod(values.values()) ** (1.0 / len(values))
 
 
 def horizontal_peak(motion: Motion, measure: StrengthMeasure) -> float:
@@ -231,11 +230,20 @@ def horizontal_peak(motion: Motion, measure: StrengthMeasure) -> float:
     InputError
         A still motion.
     """
-    single = (motion.component(name) for name in ("x", "y") if name in motion.components)
+    single = map(motion.component, motion.horizontal)
     peak = max(part.pga if measure == "PGA" else part.pgv for part in single)
     if not peak > 0.0:
         raise InputError("motion.still_floor")
     return peak
+
+
+def mercalli_of(motion: Motion) -> float:
+    """Return the modified Mercalli intensity of a motion, 1 of a still one; NaN of one of an upper floor."""
+    if motion.floor:
+        return math.nan
+    if not any(map(np.any, motion.horizontal.values())):
+        return 1.0
+    return mercalli(horizontal_peak(motion, "PGA"), horizontal_peak(motion, "PGV"))
 
 
 def _of_peak(measure: StrengthMeasure, value: float, period: float = 0.0) -> GroundStrength:

@@ -79,9 +79,9 @@ def _check_origins(first: str, a: Listing, second: str, b: Listing) -> None:
     warn(InputWarning("motion.origin_unstated", second, first=first, second=second))
 
 
-def _apart(what: str, first: str, one: Phrase, second: str, other: Phrase) -> InputError:
-    """Return the refusal of two components that are not of the same."""
-    about: dict[str, Any] = {"one": one, "other": other, "what": phrase(f"motion.{what}")}
+def _apart(what: str, first: str, of_first: Phrase, second: str, of_second: Phrase) -> InputError:
+    """Return the refusal of two components that are not of the same record or place."""
+    about: dict[str, Any] = {"one": of_first, "other": of_second, "what": phrase(f"motion.{what}")}
     return InputError("motion.two_records", second, first=first, second=second, **about)
 
 

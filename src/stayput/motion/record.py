@@ -55,8 +55,7 @@ class Motion:
 
     The arrays are copied and cannot be written to. ``pga``, ``pgv``, ``pgd``, ``arias``,
     ``significant_duration``, ``velocity`` and ``displacement`` are those of x, of the piecewise linear
-    record itself (so with the peaks between samples), and with no hidden baseline correction;
-    `component` gives the same for y and z, `peaks` for all.
+    record itself (with the peaks between samples), without any baseline correction; `peaks` has all's.
 
     Parameters
     ----------
@@ -188,6 +187,11 @@ class Motion:
         return {name: values for name, values in axes.items() if values is not None}
 
     @property
+    def horizontal(self) -> dict[str, NDArray[np.float64]]:
+        """Those of them that are horizontal, x first."""
+        return {name: values for name, values in self.components.items() if name != "z"}
+
+    @property
     def duration(self) -> float:
         """Time from the first to the last sample [s]."""
         return (len(self) - 1) * self.dt
@@ -231,11 +235,6 @@ class Motion:
     def significant_duration(self) -> float:
         """D5–95 of x: time in which ∫a² dt grows from 5 % to 95 % [s] (Trifunac and Brady 1975)."""
         return integrals.significant_duration(self.x, self.dt)
-
-    @property
-    def cav(self) -> float:
-        """Cumulative absolute velocity of x, ∫|a| dt [m/s]."""
-        return integrals.magnitude(self.x, self.dt)
 
     @property
     def intensity(self) -> float:

@@ -135,6 +135,5 @@ def _first_crossing(motion: Motion, level: float) -> float:
 
 def _vector_spectrum(motion: Motion, frequencies: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return √(Sa,x² + Sa,y²) at increasing frequencies [m/s²]."""
-    horizontal = [name for name in ("x", "y") if name in motion.components]
-    rows = [motion.spectrum(1.0 / frequencies[::-1], DAMPING, name).sa[::-1] for name in horizontal]
+    rows = [motion.spectrum(1.0 / frequencies[::-1], DAMPING, name).sa[::-1] for name in motion.horizontal]
     return np.sqrt(sum(np.square(row) for row in rows))
