@@ -92,7 +92,7 @@ def test_resampling_beyond_measure_is_refused():
     with pytest.raises(InputError, match="must have at most 20,000,000"):
         Motion(1.0, NOISE).resampled(1e-6)
     assert len(THREE.resampled(1.0)) == 2  # one new step is the least
-    with pytest.raises(InputError, match="must be between 1e-06 and 0.5 s"):
+    with pytest.raises(InputError, match=r"must be between 1e-06 and 0\.5 s"):
         THREE.trimmed(0.0, 0.5).resampled(1.0)
 
 

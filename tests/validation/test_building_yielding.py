@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.building import histories as solution
+from stayput.building import superposition as solution
 from stayput.building.building import Building, Isolation
 from stayput.building.model import ShearModel
 

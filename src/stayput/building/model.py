@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
-    from stayput.building.histories import Histories
+    from stayput.building.superposition import Histories
 
 T = TypeVar("T")
 
@@ -285,7 +285,7 @@ class ShearModel(ShakenFloors):
         self, a: NDArray[np.float64], dt: float, storeys: Sequence[int], *, drifts: bool = False
     ) -> Histories:
         """Return the histories of storeys under one component of the ground's motion."""
-        from stayput.building.histories import component_response  # Numba takes its time to load
+        from stayput.building.superposition import component_response  # Numba takes its time to load
 
         # Storey 1 stands on the ground, −1, or above a layer of isolators on the lowest mass, 0.
         floors = [int(storey) - 2 + int(self.isolated) for storey in storeys]

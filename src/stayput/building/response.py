@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from stayput.building.histories import Energy
     from stayput.building.model import ShearModel
+    from stayput.building.superposition import Energy
     from stayput.motion.record import Motion
 
 FloorDrawing = Literal["acceleration", "velocity", "spectra"]

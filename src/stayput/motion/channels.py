@@ -1,16 +1,17 @@
-"""The channels of a file, and how they become the components of a motion."""
+"""The channels of a file, how they become the components of a motion, and whether these are of one record."""
 
 from __future__ import annotations
 
 import math
 import re
 from dataclasses import dataclass, replace
+from itertools import combinations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, unknown, warn
+from stayput.errors import InputError, InputWarning, excerpt, unknown, warn
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import BOREHOLE, floor_phrase, upper_floor
 from stayput.motion.processing import check_size
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
+    from stayput.motion.record import Motion
 
 _UNNAMED = "(unnamed)"
 
@@ -331,7 +333,7 @@ def _check_sizes(components: Mapping[str, Channel]) -> None:
             warn(InputWarning("motion.large_peak", "unit", component=name, peak=peak, limit=_DOUBTFUL_PEAK))
 
 
-def common_length(lengths: Mapping[str, int]) -> tuple[int, str]:
+def _common_length(lengths: Mapping[str, int]) -> tuple[int, str]:
     """Return the shortest of lengths that differ by at most 1 %, and a note that says what was cut."""
     shortest, longest = min(lengths.values()), max(lengths.values())
     if longest - shortest > _LENGTH_TOLERANCE * longest:
@@ -389,7 +391,7 @@ def motion_fields(
         if is_down(channel.label):
             note = f"{channel.note}, sign changed to up"
             components[key] = replace(channel, acceleration=-channel.acceleration, note=note)
-    length, cut = common_length({key: len(channel.acceleration) for key, channel in components.items()})
+    length, cut = _common_length({key: len(channel.acceleration) for key, channel in components.items()})
     roles = ", ".join(f"{key} = {c.label or 'unnamed'}{c.note}" for key, c in components.items())
     samples = {key: channel.acceleration[:length] for key, channel in components.items()}
     floor = BOREHOLE if x.borehole else upper_floor((name, x.label, x.name, x.location))
@@ -416,3 +418,78 @@ def _listing(channels: Sequence[Channel], components: Mapping[str, Channel]) -> 
     vertical = tuple(is_vertical(label) for label in labels)
     directions = {name: channel.label for name, channel in components.items()}
     return Listing(tuple(names), vertical, place, directions, " ".join((x.origin or x.name).split()))
+
+
+_ROUNDING = 0.01
+"""Share of the peak up to which samples differ where one record is written with other digits."""
+
+
+def one_record(parts: Mapping[str, Motion]) -> tuple[int, str]:
+    """Return the length of the components of one record, and a note that says what is cut.
+
+    Where the files do not say of which record they are, it is warned. What was computed is of none.
+
+    Parameters
+    ----------
+    parts : mapping
+        The motions of which each one's x becomes a component, by its name: "x", "y", "z".
+
+    Raises
+    ------
+    InputError
+        Two have the same samples, but for rounding and zeros at the end; the files state another event,
+        station or sensor, or directions that cannot be those of the components; the time steps or the lengths
+        differ; one is of the ground and another of a floor.
+    """
+    recorded = {name: motion for name, motion in parts.items() if not motion.synthetic}
+    for (first, a), (second, b) in combinations(recorded.items(), 2):
+        length = min(len(a), len(b))
+        if np.abs(a.x[:length] - b.x[:length]).max() <= _ROUNDING * np.abs(a.x[:length]).max():
+            raise InputError("motion.one_record", second, first=first, second=second, name=excerpt(a.name))
+        if a.listing is not None and b.listing is not None:
+            if a.listing.names is not b.listing.names:  # which components of one file share
+                _check_origins(first, a.listing, second, b.listing)
+            _check_directions(first, a.listing.labels["x"], second, b.listing.labels["x"])
+    x = parts["x"]
+    for name, motion in parts.items():
+        if not math.isclose(motion.dt, x.dt, rel_tol=1e-6):
+            raise InputError("motion.motion_dt_differs", name, component=name, dt=motion.dt, x_dt=x.dt)
+        if motion.floor != x.floor:
+            raise _apart("same_place", "x", floor_phrase(x.floor), name, floor_phrase(motion.floor))
+    return _common_length({name: len(motion) for name, motion in parts.items()})
+
+
+def _check_origins(first: str, a: Listing, second: str, b: Listing) -> None:
+    origin, other = a.origin, b.origin
+    if origin and other and plain_origin(origin) == plain_origin(other):
+        return
+    # A title in which no direction was found may have it among its words, and so differ.
+    if origin and other and a.labels["x"] and b.labels["x"]:
+        raise _apart("same_record", first, _told(origin), second, _told(other))
+    warn(InputWarning("motion.origin_unstated", second, first=first, second=second))
+
+
+def _apart(what: str, first: str, of_first: Phrase, second: str, of_second: Phrase) -> InputError:
+    """Return the refusal of two components that are not of the same record or place."""
+    about: dict[str, Any] = {"one": of_first, "other": of_second, "what": phrase(f"motion.{what}")}
+    return InputError("motion.two_records", second, first=first, second=second, **about)
+
+
+def _told(origin: str) -> Phrase:
+    """Return event and station as a sentence quotes them, the sensor of KiK-net in each language."""
+    english, japanese = excerpt(origin)
+    for word in ("borehole", "surface"):
+        japanese = japanese.replace(f", {word},", f", {phrase(f'motion.sensor_{word}')[1]},")
+    return english, japanese
+
+
+def _check_directions(first: str, label: str, second: str, other: str) -> None:
+    axes = [line_of(label), line_of(other)]
+    for component, axis, said in zip((first, second), axes, (label, other), strict=True):
+        if axis is not None and (axis == "up") != (component == "z"):
+            wanted = phrase(f"motion.{'vertical' if component == 'z' else 'horizontal'}")
+            about: dict[str, Any] = {"label": excerpt(said), "wanted": wanted}
+            raise InputError("motion.wrong_axis", component, component=component, **about)
+    if axes[0] is not None and axes[0] == axes[1]:
+        labels: dict[str, Any] = {"one": excerpt(label), "other": excerpt(other)}
+        raise InputError("motion.one_direction", second, first=first, second=second, **labels)

@@ -66,8 +66,13 @@ def floor_phrase(floor: str) -> Phrase:
     kind, _, number = floor.partition(" ")
     if kind in ("floor", "storey"):
         return phrase(f"motion.{kind}_number", number=number)
-    named = {"roof": "roof_place", "upper floor": "some_upper_floor", BOREHOLE: "borehole_place"}.get(floor)
-    return phrase(f"motion.{named}") if named else (floor, floor)
+    named = {
+        "": "ground",
+        "roof": "roof_place",
+        "upper floor": "some_upper_floor",
+        BOREHOLE: "borehole_place",
+    }
+    return phrase(f"motion.{named[floor]}") if floor in named else (floor, floor)
 
 
 def of_the_ground(motion: Motion, rule: str) -> Motion:

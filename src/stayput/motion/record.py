@@ -13,10 +13,9 @@ import numpy as np
 from stayput.errors import InputError, finite, instance_of, shown, visible, whole_within, within, word_of
 from stayput.files import check_target, draft
 from stayput.motion import integrals
-from stayput.motion.channels import Listing, check_horizontal, common_length, motion_fields
+from stayput.motion.channels import Listing, check_horizontal, motion_fields, one_record
 from stayput.motion.floors import of_the_ground
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class, jma_intensity
-from stayput.motion.one_record import check_one_record
 from stayput.motion.processing import (
     MOST_SAMPLES,
     STEP_RANGE,
@@ -447,8 +446,7 @@ class Motion:
             sensors, of one direction, or have the same samples. Where the files do not say, it is warned.
         """
         parts = {key: motion for key, motion in (("x", x), ("y", y), ("z", z)) if motion is not None}
-        check_one_record(parts)
-        length, cut = common_length({key: len(motion) for key, motion in parts.items()})
+        length, cut = one_record(parts)
         sources = "; ".join(f"{key}: {motion.name} ({motion.source})" for key, motion in parts.items())
         samples: dict[str, Any] = {key: motion.x[:length] for key, motion in parts.items()}
         labels = {key: motion.listing.labels["x"] if motion.listing else "" for key, motion in parts.items()}
