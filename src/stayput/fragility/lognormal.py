@@ -149,44 +149,25 @@ def _p_value(
     if bends < 1 or (motion is not None and motion.max() + 1 < FEWEST_MOTIONS):
         return math.nan
     # what of each power the line a + b v does not explain, so that an error of a and b does not count
-    line = np.stack((np.ones_like(v), v), axis=1)
-    of_line = _information(v, curvature)
-    bent = np.stack([_unexplained(v**power, line, of_line, curvature) for power in range(2, 2 + bends)])
-    score = (slope * bent).sum(axis=1)
+    powers = [v**power for power in range(2, 2 + bends)]
+    shared = [((curvature * power).sum(), (curvature * v * power).sum()) for power in powers]
+    lines = np.linalg.solve(_information(v, curvature), np.transpose(shared))
+    bent = np.stack([power - a - b * v for power, (a, b) in zip(powers, lines.T, strict=True)])
+    score, motions = (slope * bent).sum(axis=1), 0
     if motion is None:
         variance = (curvature * bent[:, np.newaxis] * bent).sum(axis=2)
-        return math.nan if _singular(variance) else float(chdtrc(bends, _squared(score, variance)))
-    motions = int(motion.max()) + 1
-    parts = np.stack([np.bincount(motion, slope * column, motions) for column in bent])
-    centred = parts - parts.mean(axis=1, keepdims=True)
-    variance = motions / (motions - 1.0) * (centred[:, np.newaxis] * centred).sum(axis=2)
-    if _singular(variance):
+    else:
+        motions = int(motion.max()) + 1
+        parts = np.stack([np.bincount(motion, slope * column, motions) for column in bent])
+        centred = parts - parts.mean(axis=1, keepdims=True)
+        variance = motions / (motions - 1.0) * (centred[:, np.newaxis] * centred).sum(axis=2)
+    if not np.linalg.det(variance) > _SINGULAR * np.prod(np.diag(variance)):
         return math.nan
+    squared = float(np.vdot(score, np.linalg.solve(variance, score)))
+    if motion is None:
+        return float(chdtrc(bends, squared))
     free = motions - bends
-    return float(fdtrc(bends, free, _squared(score, variance) * free / (bends * (motions - 1.0))))
-
-
-def _unexplained(
-    power: NDArray[np.float64],
-    line: NDArray[np.float64],
-    of_line: NDArray[np.float64],
-    curvature: NDArray[np.float64],
-) -> NDArray[np.float64]:
-    shared = (curvature[:, np.newaxis] * line * power[:, np.newaxis]).sum(axis=0)
-    return power - (line * _solved(of_line, shared)).sum(axis=1)
-
-
-def _squared(score: NDArray[np.float64], variance: NDArray[np.float64]) -> float:
-    """Return s V⁻¹ s of one or two numbers s."""
-    if len(score) == 1:
-        return float(score[0] ** 2 / variance[0, 0])
-    return float((score * _solved(variance, score)).sum())
-
-
-def _singular(variance: NDArray[np.float64]) -> bool:
-    diagonal = float(np.prod(np.diag(variance)))
-    determinant = diagonal if len(variance) == 1 else diagonal - float(variance[0, 1] * variance[1, 0])
-    return not determinant > _SINGULAR * diagonal
+    return float(fdtrc(bends, free, squared * free / (bends * (motions - 1.0))))
 
 
 def _fit(
@@ -194,12 +175,12 @@ def _fit(
 ) -> NDArray[np.float64]:
     """Return (a, b) of the largest likelihood; the coordinates v have the mean 0 and the spread 1."""
     share = np.clip(fell.sum() / (fell + stood).sum(), 1e-3, 1.0 - 1e-3)
-    ab = np.array([ndtri(share), 0.0])
+    ab = np.array([ndtri(share), 0.0], np.float64)
     height = _log_likelihood(v, fell, stood, ab)
     for _ in range(_STEPS):
         slope, curvature = _derivatives(v, fell, stood, ab)
         gradient = np.array([slope.sum(), (slope * v).sum()])
-        step = _solved(_information(v, curvature), gradient)
+        step = np.linalg.solve(_information(v, curvature), gradient).astype(np.float64)
         gain = 0.5 * (gradient * step).sum()
         reached = _log_likelihood(v, fell, stood, ab + step)
         for _ in range(_HALVINGS):
@@ -240,10 +221,3 @@ def _information(v: NDArray[np.float64], curvature: NDArray[np.float64]) -> NDAr
     """Return the observed information of (a, b) from each cell's curvature, shape (2, 2)."""
     aa, ab, bb = curvature.sum(), (curvature * v).sum(), (curvature * v * v).sum()
     return np.array([[aa, ab], [ab, bb]])
-
-
-def _solved(matrix: NDArray[np.float64], right: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the solution of a 2 × 2 system."""
-    (p, q), (_, r) = matrix
-    x, y = right
-    return np.array([r * x - q * y, p * y - q * x]) / (p * r - q * q)
