@@ -17,7 +17,7 @@ from typer.testing import CliRunner
 import stayput as sp
 from stayput.app.running import shaking_reply
 from stayput.cli import app
-from stayput.fragility.exports import in_openquake
+from stayput.fragility.exports import demand_of
 from stayput.fragility.intensity_measures import (
     FLOOR_JMA,
     JMA_INTENSITY,
@@ -215,7 +215,7 @@ def test_its_data_and_curves_carry_the_label(verdict):
     curves = verdict.without.curves
     assert list(curves) == [JMA_INTENSITY, PFA, PFV]
     assert curves[JMA_INTENSITY].measure == FLOOR_JMA
-    assert in_openquake(FLOOR_JMA) is None
+    assert not demand_of(FLOOR_JMA)[0]
     assert "floor_jma_50_percent" in verdict_csv(verdict)
     assert "\njma_intensity" not in verdict_csv(verdict)
     for language, name in zip(("en", "ja"), FLOOR_JMA.names, strict=True):

@@ -123,12 +123,12 @@ _REACH = 4.0
 ends."""
 
 
-def in_openquake(measure: IntensityMeasure) -> tuple[str, float] | None:
-    """Return the name of a measure and the number in OpenQuake's unit over the SI number, or None."""
+def demand_of(measure: IntensityMeasure) -> tuple[str, str, str, float]:
+    """Return what `DEMANDS` has of a measure, and of Sa."""
     if measure.period is not None:
-        return f"SA({measure.period:g})", 1.0 / STANDARD_GRAVITY
-    name, _, _, factor = DEMANDS.get(measure.key, ("", "", "", 1.0))
-    return (name, factor) if name else None
+        period = f"{measure.period:g}"
+        return f"SA({period})", f"Spectral Acceleration|{period}", "g", 1.0 / STANDARD_GRAVITY
+    return DEMANDS.get(measure.key, ("", measure.name, measure.unit, measure.shown))
 
 
 def lognormal_moments(median: float, dispersion: float) -> tuple[float, float]:
@@ -140,16 +140,15 @@ def lognormal_moments(median: float, dispersion: float) -> tuple[float, float]:
 def nrml_xml(curves: Sequence[FragilityCurve], description: str = "") -> str:
     """Return the text of the file: see `write_nrml`."""
     names = identifiers(curves)
-    ET.register_namespace("", NAMESPACE)
-    root = ET.Element(_tag("nrml"))
+    root = ET.Element("nrml", xmlns=NAMESPACE)
     about = {"id": "stayput", "assetCategory": "contents", "lossCategory": "contents"}
-    model = ET.SubElement(root, _tag("fragilityModel"), about)
+    model = ET.SubElement(root, "fragilityModel", about)
     text = description or "Overturning of furniture, simulated by stayput"
-    ET.SubElement(model, _tag("description")).text = text.encode("ascii", "replace").decode("ascii")
-    ET.SubElement(model, _tag("limitStates")).text = LIMIT_STATE
+    ET.SubElement(model, "description").text = text.encode("ascii", "replace").decode("ascii")
+    ET.SubElement(model, "limitStates").text = LIMIT_STATE
     for name, curve in zip(names, curves, strict=True):
-        known = in_openquake(curve.measure)
-        if known is None:
+        measure, _, _, factor = demand_of(curve.measure)
+        if not measure:
             raise InputError(
                 "fragility.not_in_nrml",
                 name=repr(curve.name),
@@ -158,15 +157,11 @@ def nrml_xml(curves: Sequence[FragilityCurve], description: str = "") -> str:
             )
         fitted = curve.lognormal
         if fitted is not None and fitted.fits and not curve.measure.is_logarithm:
-            _add_lognormal(model, name, fitted, *known)
+            _add_lognormal(model, name, fitted, measure, factor)
         else:
-            _add_discrete(model, name, curve, *known)
+            _add_discrete(model, name, curve, measure, factor)
     ET.indent(root)
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ET.tostring(root, encoding="unicode") + "\n"
-
-
-def _tag(name: str) -> str:
-    return f"{{{NAMESPACE}}}{name}"
 
 
 def _add_lognormal(model: ET.Element, name: str, curve: LognormalFit, imt: str, factor: float) -> None:
@@ -174,19 +169,19 @@ def _add_lognormal(model: ET.Element, name: str, curve: LognormalFit, imt: str, 
     mean, deviation = (repr(moment) for moment in lognormal_moments(median, beta))
     lowest, highest = (repr(median * math.exp(sign * _REACH * beta)) for sign in (-1.0, 1.0))
     about = {"id": name, "format": "continuous", "shape": "logncdf"}
-    function = ET.SubElement(model, _tag("fragilityFunction"), about)
+    function = ET.SubElement(model, "fragilityFunction", about)
     ends = {"imt": imt, "noDamageLimit": lowest, "minIML": lowest, "maxIML": highest}
-    ET.SubElement(function, _tag("imls"), ends)
-    ET.SubElement(function, _tag("params"), {"ls": LIMIT_STATE, "mean": mean, "stddev": deviation})
+    ET.SubElement(function, "imls", ends)
+    ET.SubElement(function, "params", {"ls": LIMIT_STATE, "mean": mean, "stddev": deviation})
 
 
 def _add_discrete(model: ET.Element, name: str, curve: FragilityCurve, imt: str, factor: float) -> None:
     levels = [f"{level.im * factor:.6g}" for level in curve.levels]
-    function = ET.SubElement(model, _tag("fragilityFunction"), {"id": name, "format": "discrete"})
+    function = ET.SubElement(model, "fragilityFunction", {"id": name, "format": "discrete"})
     ends = {"imt": imt, "noDamageLimit": levels[0]}
-    ET.SubElement(function, _tag("imls"), ends).text = " ".join(levels)
+    ET.SubElement(function, "imls", ends).text = " ".join(levels)
     shares = " ".join(f"{p:.6f}" for p in curve.rising.share)
-    ET.SubElement(function, _tag("poes"), {"ls": LIMIT_STATE}).text = shares
+    ET.SubElement(function, "poes", {"ls": LIMIT_STATE}).text = shares
 
 
 def write_nrml(curves: Sequence[FragilityCurve], path: str | Path, description: str = "") -> None:
@@ -229,13 +224,6 @@ PARTS = 8
 """Parts from one level to the next of a curve that is written by points."""
 
 
-def _demand(measure: IntensityMeasure) -> tuple[str, str, float]:
-    """Return name and unit of a measure, and the number in that unit over the SI number."""
-    if measure.period is not None:
-        return f"Spectral Acceleration|{measure.period:g}", "g", 1.0 / STANDARD_GRAVITY
-    return DEMANDS[measure.key][1:]
-
-
 def pelicun_csv(curves: Sequence[FragilityCurve]) -> str:
     """Return the text of the file: see `write_pelicun`."""
     text = io.StringIO()
@@ -243,7 +231,7 @@ def pelicun_csv(curves: Sequence[FragilityCurve]) -> str:
     writer.writerow(HEADER)
     for name, curve in zip(identifiers(curves), curves, strict=True):
         lognormal = curve.lognormal
-        demand, unit, factor = _demand(curve.measure)
+        _, demand, unit, factor = demand_of(curve.measure)
         if lognormal is None or not lognormal.fits:
             parameters = ("multilinear_CDF", _points(curve, factor), "")
         else:

@@ -151,11 +151,12 @@ def _p_value(
     # what of each power the line a + b v does not explain, so that an error of a and b does not count
     powers = [v**power for power in range(2, 2 + bends)]
     shared = [((curvature * power).sum(), (curvature * v * power).sum()) for power in powers]
-    lines = np.linalg.solve(_information(v, curvature), np.transpose(shared))
+    lines = np.linalg.solve(_information(v, curvature), np.transpose(shared)).astype(np.float64)
     bent = np.stack([power - a - b * v for power, (a, b) in zip(powers, lines.T, strict=True)])
-    score, motions = (slope * bent).sum(axis=1), 0
+    score: NDArray[np.float64] = (slope * bent).sum(axis=1)
+    motions = 0
     if motion is None:
-        variance = (curvature * bent[:, np.newaxis] * bent).sum(axis=2)
+        variance: NDArray[np.float64] = (curvature * bent[:, np.newaxis] * bent).sum(axis=2)
     else:
         motions = int(motion.max()) + 1
         parts = np.stack([np.bincount(motion, slope * column, motions) for column in bent])
@@ -163,7 +164,8 @@ def _p_value(
         variance = motions / (motions - 1.0) * (centred[:, np.newaxis] * centred).sum(axis=2)
     if not np.linalg.det(variance) > _SINGULAR * np.prod(np.diag(variance)):
         return math.nan
-    squared = float(np.vdot(score, np.linalg.solve(variance, score)))
+    weighed = np.linalg.solve(variance, score).astype(np.float64)
+    squared = float((score * weighed).sum())
     if motion is None:
         return float(chdtrc(bends, squared))
     free = motions - bends

@@ -11,7 +11,7 @@ import numpy as np
 from stayput.catalogue import phrase, say
 from stayput.files import folder_draft
 from stayput.fragility.curve import METHOD, CurveState
-from stayput.fragility.exports import identifiers, in_openquake, nrml_xml, pelicun_csv
+from stayput.fragility.exports import demand_of, identifiers, nrml_xml, pelicun_csv
 from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.report.fragility import plot_fragility
 from stayput.report.summary import number
@@ -89,7 +89,7 @@ def write_curves(
     ]
     if several:
         texts["pelicun.csv"] = pelicun_csv(several)
-    if several and in_openquake(curves[0].measure) is None:
+    if several and not demand_of(curves[0].measure)[0]:
         left_out.append(say("report.no_nrml", language, measure=curves[0].measure.key))
     elif several:
         about = say("report.overturning_of", piece=verdict.scenario.piece.title)
