@@ -96,7 +96,7 @@ def test_what_a_head_says_of_the_columns_is_followed(read, head, expected):
 REFUSED = {
     ("column_order", 4): ["# columns: t, A, B, C", "#DataSequence: Time U(+); N(+)"],
     ("column_order", 2): ["# t, UD, NS, EW\n# from 2020", "t,UD,NS,EW", "# column 1: time\n# column 3: UD"],
-    ("column_order", None): ["time [s],αβγ[gal],δεζ[gal],ηθι[gal]"],
+    ("column_order", None): ["time,time 2,NS,EW", "time [s],αβγ[gal],δεζ[gal],ηθι[gal]"],
     ("column_order_unread", 4): [
         "# z first, then x, y",
         "# Vertical component first",
@@ -107,7 +107,7 @@ REFUSED = {
         "# 1) time\n# 2) UD\n# 3) NS\n# 4) EW",
         "Station ABC  Channels V NS EW",
     ],
-    ("column_line", 2): ["time,acc\nof the north"],
+    ("header_line", 2): ["time,acc\nof the north"],
     ("other_sign", 4): [
         "#DataSequence: Time U(-); N(+); E(+)",
         "# z positive down",
@@ -124,7 +124,6 @@ REFUSED = {
         "t,NS,EW,az_down",
         "t,NS,EW,上下（下向き）",
     ],
-    ("column_times", None): ["time,time 2,NS,EW"],
     ("common.not_allowed", None): [
         "time [min],NS [gal]",
         "time [s*10],acc",
@@ -166,7 +165,7 @@ REFUSED = {
         "時間(秒),変位(cm)",
         "time,acc [counts]",
     ],
-    ("stated_quantity", 2): ["# unit: counts", "# UNITS: cm/s"],
+    ("not_acceleration", 2): ["# unit: counts", "# UNITS: cm/s"],
     ("column_unit_factor", None): [
         "t,acc (gal)x10",
         "t,acc x 1000 (gal)",
@@ -183,7 +182,7 @@ REFUSED = {
     ],
     ("column_factor", 2): ["# scale factor: 0.1", "# multiply by 0.001", "# factor = 2", "# 倍率：10"],
     ("stated_twice", 2): ["# unit: gal\n# unit: g"],
-    ("two_sensors", None): [
+    ("many_channels", None): [
         "t,STA1_NS,STA2_EW,STA1_UD",
         "t,roof NS,ground EW,roof UD",
         "t,NS,NS,UD",
@@ -233,7 +232,7 @@ FIELDS = {
     ),
     "columns": ("column_no_time",),
     "skip_lines": ("column_factor",),
-    "component": ("two_sensors",),
+    "component": ("many_channels",),
     "dt": ("no_time_step",),
 }
 

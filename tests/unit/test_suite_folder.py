@@ -101,7 +101,10 @@ def test_titles_without_directions_are_joined_by_the_number_too(peer):
         text = file.read_text(encoding="utf-8")
         title = text.splitlines()[1]
         file.write_text(text.replace(title, title.rpartition(" ")[0]), encoding="utf-8")
-    with pytest.raises(sp.InputError, match=r"RSN1106_KOBE_KJM-DWN.AT2 .*3 channels; component must name"):
+    with pytest.raises(
+        sp.InputError,
+        match=r"RSN1106_KOBE_KJM-DWN.AT2 .*3 channels, not those of one sensor; component must name",
+    ):
         read(peer)
     for file in peer.glob("*-*.AT2"):
         if file.name.endswith(("-UP.AT2", "-DWN.AT2")):
@@ -146,7 +149,10 @@ def test_other_records_in_one_folder_stay_apart(tmp_path):
 def test_three_horizontal_files_of_one_record_are_refused(tmp_path, copies):
     for name, direction in zip(copies, ("000", "090", "000"), strict=True):
         (tmp_path / name).write_text(peer_file(f"QUAKE, PLACE, {direction}", 1.0), encoding="utf-8")
-    with pytest.raises(sp.InputError, match=f"{copies[0]}.*3 channels; component must name one of 000"):
+    with pytest.raises(
+        sp.InputError,
+        match=f"{copies[0]}.*3 channels, not those of one sensor; component must name one of 000",
+    ):
         read(tmp_path)
 
 

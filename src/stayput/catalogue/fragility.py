@@ -99,33 +99,22 @@ TEXTS: dict[str, tuple[str, str]] = {
         "中央値 {median}、ばらつき {dispersion:.3g}",
     ),
     "test": ("p = {p:.2g}, at most {points} points off", "p = {p:.2g}、差は最大{points}ポイント"),
-    "lognormal_untested": (
-        "A {family} curve ({parameters}) cannot be tested on these runs.",
-        "{family}の曲線（{parameters}）が合うかどうかは、この計算では検定できません。",
+    "lognormal_curve": (
+        "A {family} curve {result}: {parameters}{test}.",
+        "{family}の曲線{result}：{parameters}{test}。",
     ),
-    "lognormal_unseen": (
-        "A {family} curve ({parameters}) has its median outside what was run.",
-        "{family}の曲線（{parameters}）の中央値は、計算した範囲の外にあります。",
-    ),
-    "lognormal_fits": (
-        "A {family} curve fits: {parameters} ({test}).",
-        "{family}の曲線が合います：{parameters}（{test}）。",
-    ),
-    "lognormal_misfits": (
-        "A {family} curve does not fit: {parameters} ({test}).",
-        "{family}の曲線は合いません：{parameters}（{test}）。",
-    ),
+    "untested": ("cannot be tested on these runs", "が合うかどうかは、この計算では検定できません"),
+    "unseen": ("has its median outside what was run", "の中央値は、計算した範囲の外にあります"),
+    "fits": ("fits", "が合います"),
+    "misfits": ("does not fit", "は合いません"),
+    "of_one_motion": ("of one motion", "1つの地震動だけのもの"),
     # sample size
     "half_width": ("Half width", "信頼区間の半幅"),
     "share": ("Share", "割合"),
     # files for loss tools
     "not_fitted": (
-        "The curve {name} is {state}; it must be fitted to be written for loss tools.",
-        "曲線{name}の状態は{state}です。損失評価ツール用に書き出せるのは、当てはめのできた曲線だけです。",
-    ),
-    "of_one_motion": (
-        "The curve {name} is of 1 motion; loss tools need the scatter of several motions.",
-        "曲線{name}は1つの地震動によるものです。損失評価ツールには複数の地震動によるばらつきが必要です。",
+        "The curve {name} is {state}; loss tools need one that is fitted, to several motions.",
+        "曲線{name}の状態は{state}です。損失評価ツール用に書き出せるのは、複数の地震動から当てはめのできた曲線だけです。",
     ),
     "not_in_nrml": (
         "The curve {name} is over {measure}; in NRML it must be over {allowed}.",

@@ -80,15 +80,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{component}成分の時間刻みが{dt:g}秒です。x成分と同じ{x_dt:g}秒でなければなりません。",
     ),
     "many_channels": (
-        "The file has {count} channels; component must name one of {channels}.",
-        "記録に多くのチャンネルがあります（{count}個）。使うものを次から選んで入力してください：「{channels}」",
-    ),
-    "two_sensors": (
-        (
-            "The channels are of two sensors or twice of one direction; component must name one of {channels}, or "
-            "{option}, in columns of numbers, those of one sensor."
-        ),
-        "複数の地震計、または同じ方向のチャンネルがあります。使うものを次から選んで入力してください：「{channels}」。数値の列では、1つの地震計の列を「{option}」で指定することもできます。",
+        "The file has {count} channels, not those of one sensor; component must name one of {channels}; of a table, {option} may.",
+        "1つの地震計のものではない{count}個のチャンネルがあります。使うものを次から選んで入力してください：「{channels}」。数値の列では、列を「{option}」で指定することもできます。",
     ),
     "vertical_component": (
         "The component {component!r} is a vertical channel; it must be a horizontal one: {channels}.",

@@ -33,10 +33,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The file states the unit {unit}, which is not known; {option} must be given as one of {known}.",
         "ファイルに書かれている単位{unit}には対応していません。加速度の単位を次から選んでください：{known}",
     ),
-    "stated_quantity": (
-        "The file states the unit {unit}, that of {quantity}; its numbers must be accelerations.",
-        "ファイルに書かれている単位{unit}は{quantity}の単位です。加速度の記録が必要です。",
-    ),
     "no_unit": (
         "The file states no unit; {option} must be given as one of {known}.",
         "加速度の単位（{option}）がファイルに書かれていません。次から選んでください：{known}",
@@ -143,8 +139,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{line}の行が形式に合いません。ここには{wanted}を書く必要があります。",
     ),
     "no_end": (
-        "The last block has no line {line} after it; the file must be complete.",
-        "最後のブロックの後に「{line}」の行がありません。ファイルが途中で切れています。",
+        "A block has no line {line} after it; the file must be complete.",
+        "ブロックの後に「{line}」の行がありません。ファイルが途中で切れています。",
     ),
     "not_acceleration": (
         "The file is of {quantity}, by {where}; its numbers must be accelerations.",
@@ -229,10 +225,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The heading {column} states a factor, {factor}; the numbers must be in a unit without one.",
         "列の見出し{column}に倍率{factor}が書かれています。倍率のない単位の数値にしてください。",
     ),
-    "column_line": (
-        "The line {line} stands between the headings and the numbers; only the units of the columns may.",
-        "見出しと数値の間に{line}という行があります。ここには各列の単位だけを書けます。",
-    ),
+    "units_of_columns": ("nothing but the units of the columns", "各列の単位だけ"),
     "other_sign": (
         "By {said} numbers are positive the other way; change their sign and leave it out, or head the vertical 'Down'.",
         "{said}によると、数値の正負の向きが逆です。符号を反転してその記載を消すか、上下動の列の見出しを「Down」としてください。",
@@ -246,19 +239,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The first column is headed {column} and none as the time; one must be, or {option} and the time step given.",
         "最初の列の見出しは{column}で、時刻の見出しのある列がありません。時刻の列を加えるか、読む列を「{option}」で、時間刻みも指定してください。",
     ),
-    "column_times": (
-        "The columns {columns} are all headed as the time; only one must be.",
-        "時刻の見出しのある列が複数あります（{columns}）。時刻の列は1つでなければなりません。",
-    ),
     "time_in": ("in s or ms", "秒（s）またはミリ秒（ms）"),
     # What single formats lack.
     "csmip_directions": (
         "The header of channel {channel} gives the directions {directions}; {taken} is taken.",
         "チャンネル{channel}のヘッダーの成分の方向が一致しません（{directions}）。{taken}として使います。",
-    ),
-    "csmip_acceleration_lines": (
-        "Channel {channel} of the file has {count} lines that announce acceleration data; it must have one.",
-        "{channel}番目のチャンネルに加速度データの始まりを示す行が{count}行あります。1行でなければなりません。",
     ),
     "csmip_lengths": (
         "The acceleration of channel {channel} lasts {lasts:g} s and its {kind} {other:g} s; they must last as long.",

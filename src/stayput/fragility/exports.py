@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, list_of
 from stayput.files import check_target, draft
 from stayput.fragility.curve import CurveState, FragilityCurve
@@ -52,10 +53,9 @@ def identifiers(curves: Sequence[FragilityCurve]) -> list[str]:
     if not checked:
         raise InputError("common.empty", "curves")
     for curve in checked:
-        if curve.state is not CurveState.FITTED:
-            raise InputError("fragility.not_fitted", name=repr(curve.name), state=repr(curve.state.value))
-        if curve.one_motion:
-            raise InputError("fragility.of_one_motion", name=repr(curve.name))
+        if curve.state is not CurveState.FITTED or curve.one_motion:
+            state = phrase("fragility.of_one_motion") if curve.one_motion else curve.state.phrase
+            raise InputError("fragility.not_fitted", name=repr(curve.name), state=state)
     return plain_names([curve.name for curve in checked])
 
 
@@ -149,12 +149,9 @@ def nrml_xml(curves: Sequence[FragilityCurve], description: str = "") -> str:
     for name, curve in zip(names, curves, strict=True):
         measure, _, _, factor = demand_of(curve.measure)
         if not measure:
-            raise InputError(
-                "fragility.not_in_nrml",
-                name=repr(curve.name),
-                measure=curve.measure.key,
-                allowed=", ".join((*(key for key, demand in DEMANDS.items() if demand[0]), "SA(T)")),
-            )
+            allowed = ", ".join((*(key for key, demand in DEMANDS.items() if demand[0]), "SA(T)"))
+            name, over = repr(curve.name), curve.measure.key
+            raise InputError("fragility.not_in_nrml", name=name, measure=over, allowed=allowed)
         fitted = curve.lognormal
         if fitted is not None and fitted.fits and not curve.measure.is_logarithm:
             _add_lognormal(model, name, fitted, measure, factor)

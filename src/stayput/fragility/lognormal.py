@@ -88,13 +88,14 @@ class LognormalFit:
         """The parameters and the test in a sentence, in both languages."""
         untested = math.isnan(self.p_value)
         result = "untested" if untested else "unseen" if not self.seen else "fits" if self.fits else "misfits"
+        median = self.measure.text(self.median)
+        test = phrase("fragility.test", p=self.p_value, points=percent(self.misfit))
         return phrase(
-            f"fragility.lognormal_{result}",
+            "fragility.lognormal_curve",
             family=phrase(f"fragility.{self.family}"),
-            parameters=phrase(
-                "fragility.parameters", median=self.measure.text(self.median), dispersion=self.dispersion
-            ),
-            test=phrase("fragility.test", p=self.p_value, points=percent(self.misfit)),
+            result=phrase(f"fragility.{result}"),
+            parameters=phrase("fragility.parameters", median=median, dispersion=self.dispersion),
+            test=phrase("common.aside", content=test) if result in ("fits", "misfits") else "",
         )
 
     @property

@@ -170,17 +170,9 @@ class Trials:
             raise InputError("fragility.no_runs")
         names = None
         if motion is not None:
-            _, names = np.unique(motion[used], return_inverse=True)
-            names = names.astype(np.intp)
-        return cls(
-            measure,
-            im[used],
-            fell[used].astype(np.float64),
-            runs[used].astype(np.float64),
-            level[used].astype(np.intp),
-            names,
-            missing,
-        )
+            names = np.unique(motion[used], return_inverse=True)[1].astype(np.intp)
+        k, n = fell[used].astype(np.float64), runs[used].astype(np.float64)
+        return cls(measure, im[used], k, n, level[used].astype(np.intp), names, missing)
 
 
 def _groups(values: NDArray[np.float64], groups: int) -> NDArray[np.intp]:

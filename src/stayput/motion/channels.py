@@ -289,10 +289,8 @@ def _assigned(channels: Sequence[Channel], component: str | None) -> dict[str, C
             len({frozenset(direction(c.label) for c in channels if c.borehole == b) for b in (0, 1)}) == 1
         )
     if chosen is None and not (together and of_one):
-        labels = _numbered(channels, horizontal)
-        if together:
-            raise InputError("motion.two_sensors", "component", channels=labels, option="columns")
-        raise InputError("motion.many_channels", "component", count=len(channels), channels=labels)
+        about: dict[str, Any] = {"channels": _numbered(channels, horizontal), "option": "columns"}
+        raise InputError("motion.many_channels", "component", count=len(channels), **about)
     x = (horizontal or vertical)[0] if chosen is None else chosen
     assigned = {"x": channels[x]}
     if x in horizontal and together and of_one:

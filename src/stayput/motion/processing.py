@@ -286,17 +286,11 @@ def check_baseline(motion: Motion, *, recorded: bool = False) -> None:
         if name == "z" and _is_gravity(mean):
             warn(InputWarning("motion.gravity", "z", component=name, mean=mean, option=option))
         elif oscillates_about_offset(a, motion.dt):
-            velocity = abs(mean) * motion.duration
-            share = abs(mean) / float(np.abs(a).max())
-            about: dict[str, Any] = {
-                "component": name,
-                "mean": mean,
-                "velocity": velocity,
-                "share": 100.0 * share,
-            }
+            velocity, share = abs(mean) * motion.duration, abs(mean) / float(np.abs(a).max())
+            about: dict[str, Any] = {"component": name, "mean": mean, "velocity": velocity, "option": option}
             if recorded and velocity > _FASTEST_LEFT and share > _MOST_OF_PEAK:
-                raise InputError("motion.offset", option, **about, option=option)
-            warn(InputWarning("motion.offset", option, **about, option=option))
+                raise InputError("motion.offset", option, share=100.0 * share, **about)
+            warn(InputWarning("motion.offset", option, share=100.0 * share, **about))
         elif begin := offset_begins(a, motion.dt):
             about = {"component": name, "mean": float(a[begin:].mean()), "begin": begin * motion.dt}
             warn(InputWarning("motion.late_offset", name, **about))

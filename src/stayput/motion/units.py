@@ -223,19 +223,16 @@ def acceleration_unit(
     """
     if stated is not None and (quantity := quantity_of(stated)):
         name = phrase(f"motion.{quantity}")
-        raise InputError("motion.stated_quantity", unit=excerpt(stated), quantity=name)
+        raise InputError("motion.not_acceleration", where=excerpt(stated), quantity=name)
     known, mentioned = stated and known_unit(stated), stated or mentioned_unit(header)
     if known and passed is not None and unit_factor(known) != unit_factor(passed):
         raise not_the_files_own("unit", excerpt(passed), excerpt(stated or ""))
     if not known and passed is None:
         if stated is not None:
             raise unknown_unit(stated)
-        about: dict[str, Any] = {"known": UNIT_NAMES, "option": "unit"}
-        if mentioned is not None:
-            raise InputError("motion.no_unit_but_mentioned", "unit", mentioned=mentioned, **about)
-        if step_missing:
-            raise InputError("motion.no_unit_nor_step", "unit", other_option="dt", **about)
-        raise InputError("motion.no_unit", "unit", **about)
+        code = "no_unit_but_mentioned" if mentioned else "no_unit_nor_step" if step_missing else "no_unit"
+        about: dict[str, Any] = {"mentioned": mentioned, "option": "unit", "other_option": "dt"}
+        raise InputError(f"motion.{code}", "unit", known=UNIT_NAMES, **about)
     factor = unit_factor(known or passed or "")
     if not known and mentioned and ACCELERATION_UNITS.get(known_unit(mentioned) or "") != factor:
         warn(InputWarning("motion.unit_mentioned", "unit", given=passed, mentioned=mentioned))

@@ -115,6 +115,11 @@ def _check_layout(line: str, *sizes: int) -> None:
         raise InputError("motion.header_line", line=excerpt(line.strip()), wanted=phrase("motion.a_layout"))
 
 
+def _not_acceleration() -> InputError:
+    where, other = phrase("motion.names_of_blocks"), phrase("motion.velocity_or_displacement")
+    return InputError("motion.not_acceleration", where=where, quantity=other)
+
+
 class _Block(NamedTuple):
     """A block of V2: what the line that announces it says, and its samples where they are accelerations."""
 
@@ -171,8 +176,10 @@ def _csmip_channel(
     blocks = list(iter(lambda: _csmip_block(rest), None))
     last_line = rest.take()
     accelerations = [block for block in blocks if block.kind == "ACCEL"]
-    if len(accelerations) != 1:
-        raise InputError("motion.csmip_acceleration_lines", channel=position, count=len(accelerations))
+    if not accelerations:
+        raise _not_acceleration()
+    if len(accelerations) > 1:
+        raise InputError("motion.no_end", line="/&")
     _, count, step, about_samples, samples = accelerations[0]
     # Velocity and displacement last as long as the acceleration, but may have their own, longer time step.
     for other in blocks:
@@ -302,8 +309,7 @@ def _read_cosmos(text: str, unit: str | None, dt: float | None) -> list[Channel]
         if channel is not None:
             channels.append(channel)
     if not channels:
-        where, other = phrase("motion.names_of_blocks"), phrase("motion.velocity_or_displacement")
-        raise InputError("motion.not_acceleration", where=where, quantity=other)
+        raise _not_acceleration()
     return channels
 
 

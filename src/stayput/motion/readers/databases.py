@@ -16,7 +16,7 @@ from itertools import islice
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, excerpt
-from stayput.motion.channels import Channel, in_borehole
+from stayput.motion.channels import Channel, in_borehole, is_direction
 from stayput.motion.readers.text import (
     Reader,
     check_count,
@@ -32,11 +32,7 @@ _WORD = re.compile(r"[A-Z]+")
 _NAMED = re.compile(r"NPTS ?[=:] ?([^ ,=:]{1,40}) ?,? ?DT ?[=:] ?(.+)", re.IGNORECASE)
 _BARE = re.compile(r"([^ ,=]{1,40}) ([^ ,=]{1,40}) NPTS ?, ?DT\b.*", re.IGNORECASE)
 _OTHER = re.compile(r"\b(?:(VEL(?:OCITY)?)|DISP?L?(?:ACEMENT)?)\b", re.IGNORECASE)
-_DIRECTION = re.compile(
-    r"[0-9]{1,3}|[NSEWUVZ]|[NEUV][SWD]|UP|DOWN|DWN|DN|VERT?|VERTICAL|NORTH|SOUTH|EAST|WEST|[HV][12]|[LRTXY]"
-    r"|LONG|TRANS?|(?:[BCEHLMNS][HLGN][NE]|[A-Z]{2}Z)[0-9]{0,2}",
-    re.IGNORECASE,
-)
+_DIRECTION = re.compile(r"[0-9]{1,3}|S|V[12]", re.IGNORECASE)  # beside those of channels
 _VERTICAL = re.compile(r"UP|UD|DOWN|DWN|DN|VERT?|VERTICAL|Z|V1|[BCEHLMNS][HLGN]Z[0-9]{0,2}", re.IGNORECASE)
 _BESIDE = re.compile(r"COMP(?:ONENT)?|CHANNEL|DIR(?:ECTION)?", re.IGNORECASE)
 _HEADER_LINES = 8
@@ -66,7 +62,8 @@ def _direction(title: str) -> tuple[str, str]:
     words = [word for word in re.findall(r"[A-Za-z0-9]+", last) if not _BESIDE.fullmatch(word)]
     for count in (len(words), 2, 1):
         label = "".join(words[-count:])
-        if (comma and count == len(words) and _DIRECTION.fullmatch(label)) or _VERTICAL.fullmatch(label):
+        named = _DIRECTION.fullmatch(label) or is_direction(label)
+        if (comma and count == len(words) and named) or _VERTICAL.fullmatch(label):
             begin = last.rfind(words[-count])
             before = before if count == len(words) and comma else f"{before}{comma}{last[:begin]}"
             return ("V" if label.upper() == "V1" else label), before.strip(" ,-=")

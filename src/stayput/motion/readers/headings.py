@@ -6,6 +6,7 @@ import re
 import unicodedata
 from typing import TYPE_CHECKING, NamedTuple
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, excerpt, without_control
 from stayput.motion.channels import LISTED, is_direction, is_down, is_vertical
 from stayput.motion.units import BRACKET, UNIT_OF_TIME, is_motion, known_unit, quantity_of, time_factor
@@ -239,7 +240,7 @@ def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, ro
     if count == 1:
         return Headings(tuple(texts), None, names=names)
     if len(times) > 1:
-        raise InputError("motion.column_times", columns=_listed([texts[i] for i in times]))
+        raise InputError("motion.column_order", columns=_listed(texts), count=count)
     if not times and (
         of_another or is_direction(first) or _COUNTED.fullmatch(texts[0]) or is_motion(texts[0])
     ):
@@ -310,7 +311,8 @@ def _among(titles: Sequence[str], comments: Sequence[str], count: int) -> tuple[
     fitting = [i for i in stating if len(rows[i]) == count] or [i for i in stating if _all_names(rows[i])]
     place = fitting[-1] if fitting else len(rows) - 1
     if len(comments) <= place < len(rows) - 1:
-        raise InputError("motion.column_line", line=excerpt(titles[-1]))
+        wanted = phrase("motion.units_of_columns")
+        raise InputError("motion.header_line", line=excerpt(titles[-1]), wanted=wanted)
     return (rows[place] if rows else []), place
 
 

@@ -49,7 +49,7 @@ _KNET_SCALE = re.compile(
 _CSV_LABEL = re.compile(r"(?<![A-Z])(NS|EW|UD|N-S|E-W|U-D)([12]?)(?![A-Z])", re.IGNORECASE)
 _CSV_DATE = re.compile(r" *[0-9]{4}[-/][0-9]{1,2}[-/][0-9]{1,2}[ T]+[0-9]{1,2}:")
 _CSV_ASIDE = re.compile(r"\([^()]{0,40}\)|\[[^\[\]]{0,40}\]")
-_CSV_HEADER_LINES = 200
+_CSV_HEADER = re.compile("^#.*", re.MULTILINE)
 
 
 def _is_jma(text: str) -> bool:
@@ -200,14 +200,9 @@ def _read_knet_csv(text: str, unit: str | None, dt: float | None) -> list[Channe
     InputError
         The offsets or the unit are not stated, a row is incomplete, or the sampling is not regular.
     """
-    header: list[str] = []
 
     def values_of(line: str) -> list[str] | None:
-        if line.startswith("#"):
-            if len(header) < _CSV_HEADER_LINES:
-                header.append(line)
-            return None
-        if not line.strip():
+        if line.startswith("#") or not line.strip():
             return None
         if not _CSV_DATE.match(line):
             raise InputError("motion.header_line", line=excerpt(line), wanted=phrase("motion.date_and_time"))
@@ -217,10 +212,10 @@ def _read_knet_csv(text: str, unit: str | None, dt: float | None) -> list[Channe
         ((start, line) for start, line in lines(text) if line.strip() and not line.startswith("#")),
         (len(text), ""),
     )
-    above = [line for line in text[:begin].split("\n") if line.startswith("#")]
-    header += above[:_CSV_HEADER_LINES]
+    header = _CSV_HEADER.findall(text)
+    above = _CSV_HEADER.findall(text, 0, begin)
     names = _labels(first)
-    labels = names or (_labels(header[-1]) if header else []) or ["NS", "EW", "UD"]
+    labels = names or (_labels(above[-1]) if above else []) or ["NS", "EW", "UD"]
     begin += len(first) + 1 if names else 0
     table = rows_of(text, begin, len(labels) + 1, values_of, aside=1)
     by_key = {_key(line): line for line in reversed(header)}

@@ -231,11 +231,9 @@ CACHE_SIZE = 128 * 1024 * 1024
 """Most bytes of samples in the cache: 40 mixed motions have 9 MB, 100 of the longest kind 60 MB."""
 
 
-def _samples_size(motion: Motion) -> int:
-    return sum(samples.nbytes for samples in motion.components.values())
-
-
-_CACHE: LRUCache[Any, Motion] = LRUCache(CACHE_SIZE, getsizeof=_samples_size)
+_CACHE: LRUCache[Any, Motion] = LRUCache(
+    CACHE_SIZE, getsizeof=lambda motion: sum(samples.nbytes for samples in motion.components.values())
+)
 
 _cached_motion = cached(_CACHE, lock=threading.Lock())(synthetic_motion)
 """One cache for the process: a verification, its report and the next one ask for the same motions."""

@@ -163,18 +163,6 @@ def band_periods(band: tuple[float, float]) -> NDArray[np.float64]:
     return np.geomspace(low, high, max(2, 1 + round(PER_DECADE * np.log10(high / low))))
 
 
-def _bedrock(t: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the design spectrum at the engineering bedrock [m/s²], very rare, 5 %."""
-    return np.where(t < 0.16, 3.2 + 30.0 * t, np.where(t < 0.64, 8.0, 5.12 / t))
-
-
-def site_factor(t: NDArray[np.float64], soil: int) -> NDArray[np.float64]:
-    """Return Gs at periods [s] for soil of class 1 (firm), 2 or 3 (soft), shape of t."""
-    if soil == 1:
-        return np.where(t < 0.576, 1.5, np.where(t < 0.64, 0.864 / t, 1.35))
-    return np.minimum(np.maximum(1.5, 1.5 * t / 0.64), SITE_GV[soil])
-
-
 def japanese_design(level: str = "very rare", soil: int = 2) -> TargetSpectrum:
     """Return the design spectrum of Japan's building code at the ground's surface, 0.01 to 10 s.
 
@@ -206,8 +194,13 @@ def japanese_design(level: str = "very rare", soil: int = 2) -> TargetSpectrum:
     soil = whole_within("soil", soil, 1, max(SITE_GV), field="soil")
     corners = [0.16, 0.64] + ([0.576] if soil == 1 else [0.64 * SITE_GV[soil] / 1.5])
     t = _table_periods(corners)
+    bedrock = np.where(t < 0.16, 3.2 + 30.0 * t, np.where(t < 0.64, 8.0, 5.12 / t))
+    if soil == 1:
+        site = np.where(t < 0.576, 1.5, np.where(t < 0.64, 0.864 / t, 1.35))
+    else:
+        site = np.minimum(np.maximum(1.5, 1.5 * t / 0.64), SITE_GV[soil])
     name = f"Japanese design spectrum, {level}, soil {soil}"
-    return TargetSpectrum(t, LEVELS[level] * _bedrock(t) * site_factor(t, soil), name, of_the_ground=True)
+    return TargetSpectrum(t, LEVELS[level] * bedrock * site, name, of_the_ground=True)
 
 
 def asce7(sds: float, sd1: float, tl: float = 8.0) -> TargetSpectrum:
