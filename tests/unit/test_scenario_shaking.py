@@ -126,7 +126,7 @@ def test_without_the_vertical(tmp_path):
         ({"suite": {}, "builtin": "near-fault"}, "only one of the two must be given"),
         ({"storey": 2}, r"shaking\.storey is given without shaking\.building"),
         ({"building": {"storeys": 3}}, r"shaking\.building is given without shaking\.storey"),
-        ({"building": {"storeys": 3}, "storey": 5}, r"must be between 1 and 4"),
+        ({"building": {"storeys": 3}, "storey": 5}, r"must be a whole number from 1 to 4"),
         ({"building": {"structure": "RC"}, "storey": 1}, r"shaking\.building\.storeys is missing"),
         ({"building": {"masses": [1e5]}, "storey": 1}, r"without shaking\.building\.stiffnesses"),
         (

@@ -11,7 +11,8 @@ import numpy as np
 
 from stayput.building.modes import Modes, natural_modes
 from stayput.building.response import FloorPeaks, FloorResponse
-from stayput.errors import InputError, instance_of, list_of, whole_within, within, word_of
+from stayput.catalogue import phrase
+from stayput.errors import InputError, instance_of, list_of, not_allowed, whole_within, within, word_of
 from stayput.execution import Pool
 from stayput.model.parameters import parameter, parameter_of, quantity
 from stayput.motion.floors import of_the_ground
@@ -272,8 +273,9 @@ class ShearModel(ShakenFloors):
             No such storey.
         """
         if storey not in range(1, self.storeys + 2):
-            named, most = repr(storey), self.storeys
-            raise InputError("building.no_such_storey", "storey", storey=named, most=most, roof=most + 1)
+            raise not_allowed(
+                "storey", repr(storey), phrase("scenario.roof", roof=self.storeys + 1), "storey"
+            )
         return "roof" if storey == self.storeys + 1 else f"storey {int(storey)}"
 
     @cached_property

@@ -14,10 +14,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "免震層の減衰定数が{damping:g}です。降伏後の剛性比{post_yield:g}では{most:.3f}未満にしてください。",
     ),
     "masses": ("The number of masses", "質点の数"),
-    "no_such_storey": (
-        "The storey is {storey}; it must be a whole number from 1 to {most}, or {roof} for the roof.",
-        "階が{storey}になっています。1～{most}の整数にしてください（屋上は{roof}）。",
-    ),
     "period_too_short": (
         "The building's shortest period is {period:g} s; if it yields it must be at least {least:.2g} s.",
         "建物の最も短い固有周期が{period:g}秒になっています。降伏を考える場合は{least:.2g}秒以上にしてください。",

@@ -97,10 +97,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "drifts": (
         (
-            "The displacement of {component} drifts with the record's baseline, which is not corrected: its peak is "
-            "{pgd:.4g} cm, and {corrected:.4g} cm once a line is taken off the acceleration."
+            "The displacement of {component} drifts with the record's baseline, which is not corrected: "
+            "its peak is {pgd:.4g} cm, and {corrected:.4g} cm once a line is taken off the acceleration."
         ),
-        "{component}の変位は、補正していない記録の基線のずれで流れています。最大変位は{pgd:.4g} cmですが、加速度から直線成分を除くと{corrected:.4g} cmになります。",
+        "{component}の変位は、補正していない基線のずれで流れています。最大変位は{pgd:.4g} cm、加速度から直線成分を除くと{corrected:.4g} cmです。",
     ),
     "vertical_by_name": (
         "The name of the file ends in {ending!r} like a vertical; it is taken as x, the horizontal shaking.",
@@ -132,7 +132,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "an intensity, a peak, a spectral acceleration or an earthquake says how strongly the ground shakes, "
             "so give none and at most a factor (scale), or a motion of the ground"
         ),
-        "震度・最大値・応答スペクトル・地震は地面の揺れの強さを表すため、指定しないか倍率（scale）だけにするか、地面の揺れの地震動を使ってください",
+        "震度・最大値・応答スペクトル・地震は地面の揺れの強さです。指定しないか倍率（scale）だけにするか、地面の揺れの地震動を使ってください",
     ),
     "ground_alone_here": (
         "here motions of the ground alone may be given",
@@ -177,10 +177,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The {first} component points to {one} and the {second} component to {other}; they must be at right angles.",
         "{first}成分の方向が{one}、{second}成分の方向が{other}です。互いに直交していなければなりません。",
     ),
-    "wrong_axis": (
-        "The {component} component points to {label}; it must be a {wanted} one.",
-        "{component}成分の方向が{label}です。{wanted}の成分でなければなりません。",
-    ),
+    "component_of": ("The {component} component", "{component}成分の方向"),
     "vertical": ("vertical", "上下動"),
     "horizontal": ("horizontal", "水平動"),
     # ObsPy's traces.

@@ -71,13 +71,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "offset": (
         (
-            "The acceleration of {component} oscillates about {mean:.4g} m/s², {share:.3g} % of its peak, which would "
-            "leave the floor moving at {velocity:.3g} m/s; an instrument's offset must be taken off ({option})."
+            "{component} oscillates about {mean:.4g} m/s², {share:.3g} % of its peak, which leaves "
+            "the floor moving at {velocity:.3g} m/s; an instrument's offset must be taken off ({option})."
         ),
-        (
-            "{component}成分の加速度が{mean:.4g} m/s²を中心に振動しており（最大値の{share:.3g}%）、最後に床が"
-            "{velocity:.3g} m/sで動き続けることになります。計器のオフセットであれば、平均を除いてください（{option}）。"
-        ),
+        "{component}成分の加速度が{mean:.4g} m/s²を中心に振動し（最大値の{share:.3g}%）、最後に床が{velocity:.3g} m/sで動き続けます。計器のオフセットであれば、平均を除いてください（{option}）。",
     ),
     "late_offset": (
         "From {begin:.3g} s on the acceleration of {component} oscillates about {mean:.4g} m/s²; check it.",

@@ -61,7 +61,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} = {value}は{other}の上の位置にしてください（中央からxは{low_x:.3g}～{high_x:.3g} m、yは{low_y:.3g}～{high_y:.3g} m）。",
     ),
     "no_carcass": ("the empty carcass's [kg], with shelves", "棚を除いた本体の質量 [kg] "),
-    "roof": ("between 1 and {roof}, the roof", "1～{roof}（屋上）"),
+    "roof": ("a whole number from 1 to {roof}, the roof", "1～{roof}（屋上）の整数"),
     "only_one": (
         "{name} is given beside {other}; only one of the two must be given.",
         "{other}と{name}の両方があります。一方だけを指定してください。",

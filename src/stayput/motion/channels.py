@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, excerpt, unknown, warn
+from stayput.errors import InputError, InputWarning, excerpt, not_allowed, unknown, warn
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import BOREHOLE, floor_phrase, upper_floor
 from stayput.motion.processing import check_size
@@ -485,9 +485,9 @@ def _check_directions(first: str, label: str, second: str, other: str) -> None:
     axes = [line_of(label), line_of(other)]
     for component, axis, said in zip((first, second), axes, (label, other), strict=True):
         if axis is not None and (axis == "up") != (component == "z"):
-            wanted = phrase(f"motion.{'vertical' if component == 'z' else 'horizontal'}")
-            about: dict[str, Any] = {"label": excerpt(said), "wanted": wanted}
-            raise InputError("motion.wrong_axis", component, component=component, **about)
+            wanted = f"motion.{'vertical' if component == 'z' else 'horizontal'}"
+            name = phrase("motion.component_of", component=component)
+            raise not_allowed(name, excerpt(said), wanted, component)
     if axes[0] is not None and axes[0] == axes[1]:
         labels: dict[str, Any] = {"one": excerpt(label), "other": excerpt(other)}
         raise InputError("motion.one_direction", second, first=first, second=second, **labels)

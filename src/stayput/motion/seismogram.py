@@ -10,19 +10,16 @@ from __future__ import annotations
 import re
 import struct
 from io import BytesIO
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, absent, not_allowed, unknown, warn
-from stayput.files import LARGEST_RECORD
 from stayput.motion.channels import Channel, labels_phrase
 from stayput.motion.units import acceleration_unit, time_step, unit_factor
 
 if TYPE_CHECKING:
-    import os
     from collections.abc import Iterable
 
 
@@ -125,16 +122,9 @@ _SAC_HEADER, _SAC_VERSION = 632, 304
 _OTHER_THAN_ACCELERATION = {6: "displacement", 7: "velocity"}
 
 
-def format_of(path: str | os.PathLike[str]) -> str | None:
+def format_of(data: bytes) -> str | None:
     """Return which of `FORMATS` a file is in, by its first bytes, or None."""
-    try:
-        file = Path(path)
-        if not file.is_file():
-            return None
-        with file.open("rb") as opened:
-            start = opened.read(_SAC_HEADER)
-    except (OSError, TypeError, ValueError):  # the reader of texts says why
-        return None
+    start = data[:_SAC_HEADER]
     if _MSEED.match(start) and b"\0" in start:
         return "MSEED"
     if len(start) < _SAC_HEADER:
@@ -144,14 +134,14 @@ def format_of(path: str | os.PathLike[str]) -> str | None:
 
 
 def read(
-    path: str | os.PathLike[str], form: str, unit: str | None, dt: float | None, *, location: str | None
+    data: bytes, form: str, unit: str | None, dt: float | None, *, location: str | None
 ) -> list[Channel]:
     """Return the file's channels.
 
     Parameters
     ----------
-    path : str or path
-        The file.
+    data : bytes
+        What the file holds.
     form : str
         One of `FORMATS`.
     unit : str, optional
@@ -167,16 +157,14 @@ def read(
         ObsPy is absent, the file is damaged or of no acceleration, no unit; or as `channels_of_traces`.
     """
     acceleration_unit(None, unit)
-    if (size := Path(path).stat().st_size) > LARGEST_RECORD:
-        raise InputError("common.too_many_bytes", file=repr(str(path)), size=size, most=LARGEST_RECORD)
     try:
         from obspy import read as obspy_read
     except ImportError:
         raise absent(FORMATS[form], "ObsPy", "formats") from None
     try:
-        traces: Any = obspy_read(BytesIO(Path(path).read_bytes()), format=form)
+        traces: Any = obspy_read(BytesIO(data), format=form)
         lengths = [int(getattr(getattr(t.stats, "mseed", None), "record_length", 1)) for t in traces]
-        if size % min(lengths, default=1):
+        if len(data) % min(lengths, default=1):
             raise InputError("motion.seismogram_unread")
         for trace in traces:
             kind = _OTHER_THAN_ACCELERATION.get(getattr(getattr(trace.stats, "sac", None), "idep", 0))

@@ -35,7 +35,7 @@ from stayput.motion.floors import BOREHOLE, floor_phrase
 from stayput.motion.processing import STEP_RANGE, checked_record
 from stayput.motion.readers import california, databases, japan
 from stayput.motion.readers.columns import COLUMNS, MOST_SKIPPED, ReadingOptions, chosen_columns, read_columns
-from stayput.motion.readers.text import check_end, file_text, other_format
+from stayput.motion.readers.text import check_end, file_bytes, other_format, text_of
 from stayput.motion.record import Motion
 from stayput.motion.units import unit_factor
 
@@ -267,13 +267,14 @@ def read_file(
         within("motion.name_dt", dt, *STEP_RANGE, "s", "dt")
     if location is not None:
         instance_of("location", location, str)
-    binary = seismogram.format_of(path)
-    text = "" if binary is not None else file_text(path)
+    data = file_bytes(path)
+    binary = seismogram.format_of(data)
+    text = "" if binary is not None else text_of(path, data)
     other = None
     synthetic = "synthetic" in text[:_HEAD].lower()
     if binary is not None:
         form = seismogram.FORMATS[binary]
-        read = partial(seismogram.read, path, binary, location=location)
+        read = partial(seismogram.read, data, binary, location=location)
         unused = {"columns": chosen, "skip_lines": skipped, "decimal_comma": comma}
     else:
         text = _without_lines(text, skipped)

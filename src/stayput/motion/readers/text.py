@@ -44,41 +44,51 @@ _LETTER = re.compile(r"[A-DF-Za-df-z]")  # any but the e of an exponent
 _WORDS = re.compile(r"[ \t,;]+")
 
 
-def file_text(path: str | os.PathLike[str]) -> str:
+def _refused(path: str | os.PathLike[str], kind: str) -> InputError:
+    return InputError("motion.file_is", path=str(path), what=phrase(f"motion.{kind}"))
+
+
+def file_bytes(path: str | os.PathLike[str]) -> bytes:
+    """Return what a file holds.
+
+    Raises
+    ------
+    InputError
+        The file is missing, unreadable, a directory or too large.
+    """
+    instance_of("path", path, (str, os.PathLike))
+    try:
+        file = Path(path)
+        if file.is_dir():
+            raise _refused(path, "a_folder")
+        size = file.stat().st_size
+        if not file.is_file():
+            raise _refused(path, "a_device")
+        if size > LARGEST_RECORD:
+            raise InputError("common.too_many_bytes", file=repr(str(path)), size=size, most=LARGEST_RECORD)
+        return file.read_bytes()
+    except InputError:
+        raise
+    except (OSError, ValueError) as error:  # of a text that is no path
+        raise InputError("common.unreadable", file=repr(str(path)), reason=reason_of(error)) from None
+
+
+def text_of(path: str | os.PathLike[str], data: bytes) -> str:
     r"""Return a file's text with "\n" line ends, whatever they were and whichever of its codings it has.
 
     Raises
     ------
     InputError
-        The file is missing, unreadable, a directory, empty, too large or not text.
+        The file is empty or not text.
     """
-
-    def refused(kind: str) -> InputError:
-        return InputError("motion.file_is", path=str(path), what=phrase(f"motion.{kind}"))
-
-    instance_of("path", path, (str, os.PathLike))
-    try:
-        file = Path(path)
-        if file.is_dir():
-            raise refused("a_folder")
-        size = file.stat().st_size
-        if not file.is_file():
-            raise refused("a_device")
-        if size > LARGEST_RECORD:
-            raise InputError("common.too_many_bytes", file=repr(str(path)), size=size, most=LARGEST_RECORD)
-        data = file.read_bytes()
-    except InputError:
-        raise
-    except (OSError, ValueError) as error:  # of a text that is no path
-        raise InputError("common.unreadable", file=repr(str(path)), reason=reason_of(error)) from None
     if not data.strip():
-        raise refused("empty")
+        raise _refused(path, "empty")
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         data = data.decode("utf-16", "replace").encode()
     if len(data.translate(None, _CONTROLS)) < len(data):
         spreadsheet = data.startswith(_OLD_SPREADSHEET) or any(part in data for part in _IN_SPREADSHEETS)
         packed = "an_archive" if data.startswith(_ARCHIVES) else "binary"
-        raise refused("a_spreadsheet" if spreadsheet else packed)
+        raise _refused(path, "a_spreadsheet" if spreadsheet else packed)
     data = data.rstrip(b"\x1a")  # DOS's end of file
     if b"\r" in data:  # in none of the codings part of another character
         data = data.replace(b"\r\r\n", b"\n").replace(b"\r\n", b"\n").replace(b"\r", b"\n")

@@ -31,7 +31,7 @@ from stayput.execution import Pool
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import of_the_ground
 from stayput.motion.processing import LARGEST_ACCELERATION, ending_at_rest, fft_length
-from stayput.motion.readers.text import file_text, rows_of
+from stayput.motion.readers.text import file_bytes, rows_of, text_of
 from stayput.motion.record import COMPONENTS, Motion
 from stayput.motion.response import DAMPING, PERIOD_RANGE, checked_periods, spectrum_of_samples
 from stayput.motion.suites.families import cosine_taper
@@ -270,7 +270,7 @@ def read_target(path: str | os.PathLike[str], unit: str = "g") -> TargetSpectrum
     >>> sp.read_target("target.csv", unit="g").sa.round(2).tolist()
     [7.85, 5.88, 2.94]
     """
-    text, factor, name = file_text(path), unit_factor(unit), Path(path).name
+    text, factor, name = text_of(path, file_bytes(path)), unit_factor(unit), Path(path).name
 
     def values_of(line: str) -> list[str] | None:
         words = re.split(r"[\s,;]+", line.strip())
