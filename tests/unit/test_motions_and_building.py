@@ -69,7 +69,7 @@ def test_a_building_beside_an_intensity_is_that_of_a_table():
     [
         ({"building": TOWER}, "storey", "storeyも必要です"),
         ({"storey": 2}, "building", "buildingも必要です"),
-        ({"building": TOWER, "storey": 8}, "must be between 1 and 7", "1～7（屋上）"),
+        ({"building": TOWER, "storey": 8}, "must be a whole number from 1 to 7", "1～7（屋上）"),
         ({"building": "RC", "storey": 1}, "must be of type Building | ShearModel", "型の値を指定"),
         ({"building": TOWER, "storey": 2.5}, "must be of type int", "型の値を指定"),
     ],

@@ -146,9 +146,11 @@ class Trials:
         InputError
             Arrays of other shapes, more falls than runs, or intensities that cannot be.
         """
-        count = np.size(im)
-        values = instance_of("measure", measure, IntensityMeasure).checked(numbers("im", im, "im", count))
-        k, n = numbers("fell", fell, "fell", count), numbers("runs", runs, "runs", count)
+        values = instance_of("measure", measure, IntensityMeasure).checked(im)
+        _, k, n = (
+            numbers(name, row, name, values.size)
+            for name, row in (("im", im), ("fell", fell), ("runs", runs))
+        )
         bad = ~((k >= 0.0) & (k <= n) & (k == np.rint(k)) & (n == np.rint(n)))
         if bad.any():
             raise InputError("fragility.bad_counts", fell=k[bad][0], runs=n[bad][0])
