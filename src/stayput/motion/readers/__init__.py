@@ -25,12 +25,7 @@ from stayput.errors import (
     within,
 )
 from stayput.motion import seismogram
-from stayput.motion.channels import (
-    check_horizontal,
-    is_vertical,
-    labels_phrase,
-    motion_fields,
-)
+from stayput.motion.channels import check_horizontal, is_vertical, labels_phrase, motion_fields
 from stayput.motion.floors import BOREHOLE, floor_phrase
 from stayput.motion.processing import STEP_RANGE, checked_record
 from stayput.motion.readers import california, databases, japan

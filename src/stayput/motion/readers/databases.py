@@ -17,15 +17,7 @@ from itertools import islice
 from stayput.catalogue import phrase
 from stayput.errors import InputError, excerpt
 from stayput.motion.channels import Channel, in_borehole, is_direction
-from stayput.motion.readers.text import (
-    Reader,
-    check_count,
-    lines,
-    not_as_stated,
-    numbers,
-    quantity,
-    words,
-)
+from stayput.motion.readers.text import Reader, check_count, lines, not_as_stated, numbers, quantity, words
 from stayput.motion.units import acceleration_unit, stated_unit, time_step
 
 _WORD = re.compile(r"[A-Z]+")

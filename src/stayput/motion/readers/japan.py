@@ -20,16 +20,7 @@ from itertools import islice
 from stayput.catalogue import phrase
 from stayput.errors import InputError, excerpt, unknown, word_of
 from stayput.motion.channels import Channel, in_borehole
-from stayput.motion.readers.text import (
-    Reader,
-    lacks,
-    lines,
-    not_as_stated,
-    numbers,
-    quantity,
-    rows_of,
-    words,
-)
+from stayput.motion.readers.text import Reader, lacks, lines, not_as_stated, numbers, quantity, rows_of, words
 from stayput.motion.units import acceleration_unit, regular_step, time_step
 
 _JMA_SITE = re.compile(r"\s*SITE +CODE", re.IGNORECASE)
