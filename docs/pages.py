@@ -37,7 +37,7 @@ def formats() -> str:
     """Return the table of formats; each text is a paragraph of its module's docstring."""
     readers = [(reader.name, reader.read.__module__) for reader in READERS]
     rows = []
-    for name, module in (*readers, (seismogram.FORMAT, seismogram.__name__)):
+    for name, module in (*readers, (", ".join(seismogram.FORMATS.values()), seismogram.__name__)):
         paragraphs = (inspect.getdoc(importlib.import_module(module)) or "").split("\n\n")
         about = next((text for text in paragraphs if text.startswith(f"{name}: ")), paragraphs[0])
         rows.append([f"**{name}**", " ".join(about.removeprefix(f"{name}: ").split())])

@@ -110,9 +110,7 @@ def _of_one_sensor(items: list[Any], location: str | None) -> list[Any]:
     return [trace for trace in items if _location(trace.stats) == wanted]
 
 
-FORMAT = "SAC, miniSEED"
-
-FORMATS = {"MSEED": "miniSEED", "SAC": "SAC"}
+FORMATS = {"SAC": "SAC", "MSEED": "miniSEED"}
 """What ObsPy calls the formats, and what sentences do."""
 
 _MSEED = re.compile(rb"[0-9 \0]{6}[DRQM][ \0].{12}", re.DOTALL)

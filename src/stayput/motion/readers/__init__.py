@@ -272,7 +272,7 @@ def read_file(
         read = partial(seismogram.read, data, binary, location=location)
         unused = {"columns": chosen, "skip_lines": skipped, "decimal_comma": comma}
     else:
-        text = _without_lines(text, skipped)
+        text = _without_lines(text, skipped, Path(path).name)
         text = text.replace(",", ".") if comma else text
         reader = COLUMNS if chosen or comma else next((r for r in READERS if r.recognise(text)), None)
         other = other_format(text) if reader in (None, COLUMNS) and not chosen else None
@@ -312,15 +312,15 @@ def _channels(
 
 def _not_read(path: str | os.PathLike[str], other: str | None) -> InputError:
     """Return the refusal of a file in a format that is known but not read, or in none that is known."""
-    formats = ", ".join((*(reader.name for reader in READERS), seismogram.FORMAT))
+    formats = ", ".join((*(reader.name for reader in READERS), *seismogram.FORMATS.values()))
     form = phrase("motion.a_format", format=other) if other else phrase("motion.no_known_format")
     return InputError("motion.unknown_format", path=str(path), format=form, formats=formats)
 
 
-def _without_lines(text: str, count: int) -> str:
+def _without_lines(text: str, count: int, name: str) -> str:
     lines = text.split("\n", count)
     if len(lines) <= count or not lines[-1].strip():
-        raise not_allowed("skip_lines", str(count), "motion.fewer_lines", "skip_lines")
+        raise not_allowed("skip_lines", str(count), "motion.fewer_lines", "skip_lines").at(name)
     return lines[-1]
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Sequence
-from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -24,7 +23,7 @@ from stayput.motion.suites.target import DEFAULT_BAND, band_periods, matched
 from stayput.wording import check_language, joined
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Hashable, Iterable
+    from collections.abc import Hashable, Iterable
     from typing import Unpack
 
     from matplotlib.axes import Axes
@@ -376,10 +375,9 @@ def read_suite(
         title = folder.resolve().name
         motions = _records_in(folder, title, component, unit, **options)
     else:
-        title, motions = "records", list[Motion]()
-        for file in map(Path, list_of("source", source, (str, os.PathLike))):
-            with _naming(file):
-                motions.append(read_shaking(file, component, unit, several=True, **options))
+        files = list_of("source", source, (str, os.PathLike))
+        motions = [read_shaking(file, component, unit, several=True, **options) for file in files]
+        title = "records"
     if not motions:
         raise InputError("common.empty", name=repr(title))
     return Suite(tuple(motions), title if name is None else name)
@@ -439,8 +437,7 @@ def _records_in(
             left_out.setdefault("no_record", []).append(path.name)
             continue
         try:
-            with _naming(path):
-                file = read_file(path, unit, several=True, **options)
+            file = read_file(path, unit, several=True, **options)
         except InputError as error:
             if error.code not in _LEFT_OUT:
                 raise
@@ -457,17 +454,6 @@ def _records_in(
         files = joined((_listed(kind, names) for kind, names in left_out.items()), ("; ", "、"))
         warn(InputWarning("motion.suite_left_out", "source", name=title, files=files))
     return [_motion(files, component) for files in records.values()]
-
-
-@contextmanager
-def _naming(path: Path) -> Generator[None]:
-    """Refuse a file of many with its name."""
-    try:
-        yield
-    except InputError as error:
-        if path.name in str(error):
-            raise
-        raise error.at(path.name) from None
 
 
 def _record_of(file: ReadFile) -> Hashable:
@@ -488,10 +474,8 @@ def _motion(files: Sequence[ReadFile], component: str | None) -> Motion:
         level = [i for i, channel in enumerate(channels, 1) if not is_vertical(channel.label)]
         return f"channel {level[0]}" if len(level) in (1, 2) else None
 
-    with _naming(files[0].path):
-        if component is None and len(files) > 1:
-            return motion_of(files, first_horizontal)
-        return motion_of(files, along(component))
+    several = component is None and len(files) > 1
+    return motion_of(files, first_horizontal if several else along(component))
 
 
 def _listed(kind: str, names: Sequence[str]) -> Phrase:
