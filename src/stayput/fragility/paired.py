@@ -23,7 +23,7 @@ from scipy.special import ndtri
 
 from stayput.catalogue import phrase
 from stayput.errors import not_allowed
-from stayput.fragility.probabilities import CONFIDENCE, checked_runs, percent, student
+from stayput.fragility.probabilities import CONFIDENCE, checked_runs, design_effect, percent, student
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -141,7 +141,7 @@ def difference(
     lost, pairs, up, down = int(given_up.sum()), int(n.sum()), int(more.sum()), int(fewer.sum())
     if pairs == 0:
         return Difference(math.nan, -1.0, 1.0, 0, 0, 0, lost)
-    independent = pairs / _design_effect(d, n, up + down)
+    independent = pairs / design_effect(d, n, _WEIGHT, -1.0, up + down)
     share, confidence = independent / pairs, 1.0 - (1.0 - CONFIDENCE) / comparisons
     low, high = score_interval(up * share, down * share, independent, confidence)
     if len(n) > 1:
@@ -156,22 +156,6 @@ def _student_half_width(d: NDArray[np.float64], n: NDArray[np.float64], confiden
     count, total = len(n), float(n.sum())
     scatter = float(((d - float(d.sum()) / total * n) ** 2).sum())
     return student(count, confidence) * math.sqrt(count / (count - 1.0) * scatter) / total
-
-
-def _design_effect(d: NDArray[np.float64], n: NDArray[np.float64], differing: int) -> float:
-    """Return the design effect of pairs by motion: 1 if they are independent, pairs a motion if all alike.
-
-    Of one motion it is 1.
-    """
-    if len(n) == 1:
-        return 1.0
-    size = float(n.mean())
-    total = float(n.sum()) + 2.0 * _WEIGHT
-    middle = float(d.sum()) / total
-    variance = (differing + 2.0 * _WEIGHT) / total - middle * middle
-    added = _WEIGHT * size * ((1.0 - middle) ** 2 + (1.0 + middle) ** 2)
-    scatter = float(((d - middle * n) ** 2).sum()) + added
-    return min(max(scatter / total / variance, 1.0), max(size, 1.0))
 
 
 def score_interval(

@@ -267,20 +267,36 @@ def student(units: int, confidence: float = CONFIDENCE) -> float:
     return float(stdtrit(max(units - 1, 1), 0.5 + 0.5 * confidence))
 
 
-def design_effect(fell: NDArray[np.float64], runs: NDArray[np.float64], added: float = _WEIGHT) -> float:
-    """Return the design effect of counts by motion: 1 if runs are independent, runs a motion if all alike.
+def design_effect(
+    sums: NDArray[np.float64],
+    runs: NDArray[np.float64],
+    added: float = _WEIGHT,
+    least: float = 0.0,
+    squares: float | None = None,
+) -> float:
+    """Return the design effect of runs by motion: 1 if they are independent, runs a motion if all alike.
 
-    Of one motion it is 1. ``added`` is the weight, in runs, of each of the two motions that are added.
+    Parameters
+    ----------
+    sums, runs : ndarray, shape (motions,)
+        Sum of what each motion's runs gave, from ``least`` to 1, and their number. Of one motion the effect
+        is 1.
+    added : float
+        Weight, in runs, of each of the two motions that are added.
+    least : float
+        What a run gives at least: 0 of a count, −1 of a difference.
+    squares : float, optional
+        Sum of the squares of what all runs gave; default that of a count.
     """
-    k, n = fell[runs > 0.0], runs[runs > 0.0]
+    x, n = sums[runs > 0.0], runs[runs > 0.0]
     if len(n) == 1:
         return 1.0
-    size = float(n.mean())
-    weight = added / size
-    total = float(n.sum()) + 2.0 * added
-    p = (float(k.sum()) + added) / total
-    scatter = float(((k - p * n) ** 2).sum()) + weight * size * size * (p * p + (1.0 - p) ** 2)
-    return min(max(scatter / total / (p * (1.0 - p)), 1.0), max(size, 1.0))
+    size, total = float(n.mean()), float(n.sum()) + 2.0 * added
+    mean = (float(x.sum()) + added * (least + 1.0)) / total
+    square = float(x.sum()) if squares is None else squares
+    variance = (square + added * (least * least + 1.0)) / total - mean * mean
+    scatter = float(((x - mean * n) ** 2).sum()) + added * size * ((least - mean) ** 2 + (1.0 - mean) ** 2)
+    return min(max(scatter / total / variance, 1.0), max(size, 1.0))
 
 
 def wilson(k: float, n: float, quantile: float | None = None) -> tuple[float, float]:

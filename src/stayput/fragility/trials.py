@@ -270,10 +270,18 @@ class Isotonic:
         for place in range(1, len(self.u)):
             inside = (u >= self.u[place - 1]) & (u <= self.u[place])
             part = (u[inside] - self.u[place - 1]) / (self.u[place] - self.u[place - 1])
-            ends = slice(place - 1, place + 1)
-            low[inside] = _between(part, self.low[ends], -math.inf, self.jumps(place))
-            high[inside] = _between(part, self.high[ends], math.inf, self.jumps(place))
+            for end, values, wider in ((low, self.low, np.floor), (high, self.high, np.ceil)):
+                z = self._seen(values, place)
+                if z is None:
+                    end[inside] = np.where(wider(part) < 1.0, *values[place - 1 : place + 1])
+                else:
+                    end[inside] = ndtr(z[0] + part * (z[1] - z[0]))
         return low, high
+
+    def _seen(self, end: NDArray[np.float64], place: int) -> NDArray[np.float64] | None:
+        """Return Φ⁻¹ of an end of the band at the level below and at a level; None where no line joins them."""
+        z = ndtri(end[place - 1 : place + 1])
+        return None if self.jumps(place) or not np.isfinite(z).all() else z
 
     def crossing(self, share: float) -> float:
         """Return the coordinate at which a share is reached; ±∞ beyond the levels, NaN within a jump."""
@@ -286,8 +294,7 @@ class Isotonic:
             return float(self.u[place])
         if self.jumps(place):
             return math.nan
-        part = (share - self.share[place - 1]) / (self.share[place] - self.share[place - 1])
-        return float(self.u[place - 1] + part * (self.u[place] - self.u[place - 1]))
+        return float(np.interp(share, self.share, self.u))
 
     def interval(self, share: float) -> tuple[float, float]:
         """Return the coordinates between which the band holds a share; ±∞ beyond the levels."""
@@ -305,9 +312,8 @@ class Isotonic:
         """
         if place == 0 or place == len(self.u):
             return float(self.u[min(place, len(self.u) - 1)])
-        z, ends = float(ndtri(share)), ndtri(end[place - 1 : place + 1])
-        known = not self.jumps(place) and bool(np.isfinite(ends).all())
-        part = (z - float(ends[0])) / float(ends[1] - ends[0]) if known else unseen
+        z = self._seen(end, place)
+        part = unseen if z is None else float((ndtri(share) - z[0]) / (z[1] - z[0]))
         return float(self.u[place - 1] + part * (self.u[place] - self.u[place - 1]))
 
 
@@ -325,15 +331,3 @@ def pooled(fell: NDArray[np.float64], runs: NDArray[np.float64]) -> NDArray[np.f
     ends: NDArray[np.intp] = rising.blocks
     # of the whole numbers, so that blocks of the same share have the same bits
     return np.repeat(np.add.reduceat(fell, ends[:-1]) / np.add.reduceat(runs, ends[:-1]), np.diff(ends))
-
-
-def _between(
-    part: NDArray[np.float64], ends: NDArray[np.float64], unknown: float, jumps: bool
-) -> NDArray[np.float64]:
-    """Return an end of the band on the way from one level to the next."""
-    z = ndtri(ends)
-    if jumps or not np.isfinite(z).all():
-        least, most = (z[0], z[1]) if unknown < 0.0 else (z[1], z[0])
-        at_the_other = 1.0 if unknown < 0.0 else 0.0
-        return ndtr(np.where(part == at_the_other, most, least))
-    return ndtr(z[0] + part * (z[1] - z[0]))
