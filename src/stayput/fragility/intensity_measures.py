@@ -133,7 +133,7 @@ MMI = IntensityMeasure(
 PERIODS = (0.01, 10.0)
 """Shortest and longest period of a spectral acceleration [s]."""
 
-_SPECTRAL = re.compile(r"SA\((.*)\)", re.IGNORECASE)
+_SPECTRAL = re.compile(r"SA\( *([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:e[+-]?[0-9]+)?) *\)", re.IGNORECASE)
 
 
 def spectral_acceleration(period: float) -> IntensityMeasure:
@@ -170,11 +170,7 @@ def intensity_measure(text: str, name: str = "im") -> IntensityMeasure:
     if text in known:
         return known[text]
     spectral = _SPECTRAL.fullmatch(text)
-    try:
-        period = float(spectral[1]) if spectral else None
-    except ValueError:
-        period = None
-    if period is None:
+    if spectral is None:
         listed = phrase("fragility.measures", known=", ".join(map(repr, known)))
         raise unknown(name, text, known, name, listed=listed)
-    return spectral_acceleration(within(name, period, *PERIODS, "s", name))
+    return spectral_acceleration(within(name, float(spectral[1]), *PERIODS, "s", name))

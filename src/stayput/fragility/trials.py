@@ -279,7 +279,7 @@ class Isotonic:
         return low, high
 
     def _seen(self, end: NDArray[np.float64], place: int) -> NDArray[np.float64] | None:
-        """Return Φ⁻¹ of an end of the band at the level below and at a level; None where no line joins them."""
+        """Return Φ⁻¹ of an end of the band at two levels; None where no line joins them."""
         z = ndtri(end[place - 1 : place + 1])
         return None if self.jumps(place) or not np.isfinite(z).all() else z
 

@@ -12,7 +12,7 @@ import numpy as np
 from stayput.catalogue import phrase
 from stayput.errors import InputError, too_many, within, word_of
 from stayput.model.parameters import arguments, parameters, quantity
-from stayput.motion.processing import LARGEST_ACCELERATION, MOST_SAMPLES, STEP_RANGE
+from stayput.motion.processing import LARGEST_ACCELERATION, MOST_SAMPLES, QUANTUM, STEP_RANGE
 from stayput.motion.record import Motion
 
 if TYPE_CHECKING:
@@ -215,7 +215,6 @@ _DT = 0.01
 _SAMPLES = 3001
 _SEED = 19950117
 _PULSE_TIME = 7.0
-_QUANTUM = 1e-6  # m/s²: samples are whole multiples, so that no library's last bit shows
 _PARTS = {  # velocity of the pulse [m/s], its ν, strength of the rest [m/s²], its corner frequency [Hz]
     "x": (0.95, 0.4, 1.7, 3.0),
     "y": (0.30, 2.0, 1.7, 3.0),
@@ -260,11 +259,11 @@ def _ending_at_rest(a: NDArray[np.float64], t: NDArray[np.float64]) -> NDArray[n
     bumps = np.stack((window, window * (t / t[-1] - 0.5)))
     moments = np.stack((np.ones_like(t), t))  # ∫a dt and ∫a t dt: both ends of the record are zero
     a = a - np.linalg.solve(moments @ bumps.T, moments @ a) @ bumps
-    whole = np.rint(a / _QUANTUM)
+    whole = np.rint(a / QUANTUM)
     excess = int(whole.sum())
     first = (len(whole) - abs(excess)) // 2
     whole[first : first + abs(excess)] -= math.copysign(1.0, excess)
-    return whole * _QUANTUM
+    return whole * QUANTUM
 
 
 @cache

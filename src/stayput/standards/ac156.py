@@ -13,10 +13,10 @@ from typing import Any
 
 import numpy as np
 
-from stayput.errors import instance_of, whole_within, within, word_of
+from stayput.errors import instance_of, within, word_of
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.record import Motion
-from stayput.motion.suites.families import NUMBER_RANGE, SEED_RANGE, Draws
+from stayput.motion.suites.families import Draws
 from stayput.motion.suites.target import TargetSpectrum, matched
 
 EDITIONS = ("7-16", "7-22")
@@ -182,11 +182,7 @@ def ac156_motion(
     """
     instance_of("required", required, RequiredSpectrum)
     cut = LOWEST_CUTOFF if lowest is None else within("lowest", lowest, 0.1, HIGHEST_CUTOFF, "Hz", "lowest")
-    key = (
-        whole_within("common.seed", seed, *SEED_RANGE, field="seed"),
-        _KEY,
-        whole_within("number", number, *NUMBER_RANGE, field="number"),
-    )
+    key = Draws.key(seed, _KEY, number)
     t = DT * np.arange(round((BUILD + HOLD + DECAY) / DT) + 1, dtype=np.float64)
     envelope = np.minimum(np.minimum(t / BUILD, 1.0), (t[-1] - t) / DECAY)
     band = 1.0 / RIGID_FROM, 1.0 / cut

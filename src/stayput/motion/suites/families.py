@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.errors import whole_within
 from stayput.uncertainty import random_bits, uniforms
 
 if TYPE_CHECKING:
@@ -282,6 +283,12 @@ class Draws:
     *key : int
         Whole numbers from 0 to 2³² − 1 that name the stream; another key gives an independent stream.
     """
+
+    @staticmethod
+    def key(seed: int, kind: int, number: int) -> tuple[int, int, int]:
+        """Return the beginning of the keys of a motion's streams; refuse a seed or a number out of range."""
+        first = whole_within("common.seed", seed, *SEED_RANGE, field="seed")
+        return first, kind, whole_within("number", number, *NUMBER_RANGE, field="number")
 
     def __init__(self, *key: int) -> None:
         self._bits = random_bits(len(key), *key)

@@ -24,7 +24,6 @@ from stayput.motion.suites.families import (
     FAMILIES,
     KINDS,
     MIX,
-    NUMBER_RANGE,
     SEED_RANGE,
     Draws,
     cosine_taper,
@@ -204,11 +203,7 @@ def synthetic_motion(family: str, number: int = 1, seed: int = 1) -> Motion:
         No such family; a number or a seed out of range.
     """
     chosen = KINDS[word_of("motion.family", family, FAMILIES, "family")]
-    key = (
-        whole_within("common.seed", seed, *SEED_RANGE, field="seed"),
-        FAMILIES.index(family),
-        whole_within("number", number, *NUMBER_RANGE, field="number"),
-    )
+    key = Draws.key(seed, FAMILIES.index(family), number)
     params = draw_parameters(chosen, Draws(*key))
     n = step_count(chosen, params) + 1
     common = Draws(*key, 1).noise(len(_OCTAVES))
