@@ -75,10 +75,7 @@ def _read_jma(text: str, unit: str | None, dt: float | None) -> list[Channel]:
         No sampling rate, unit or line of names; a row with too few or too many values.
     """
     header, labels, start = _jma_header(text)
-    stated_rate = _jma_entry(header, _JMA_RATE)
-    if not stated_rate:
-        raise lacks("sampling_frequency")
-    rate = quantity(stated_rate, ("HZ",), "sampling_frequency")
+    rate = quantity(_jma_entry(header, _JMA_RATE), ("HZ",), "sampling_frequency")
     factor = acceleration_unit(_jma_entry(header, _JMA_UNIT) or None, unit)
     for name in labels:
         word_of("motion.the_component", name, ("NS", "EW", "UD"))
@@ -102,11 +99,6 @@ def _is_knet(text: str) -> bool:
     return head.startswith("origin time") and "scale factor" in head
 
 
-def _letters(key: str) -> str:
-    """Return the letters of a key, by which it is known: some files leave out points and blanks."""
-    return "".join(filter(str.isalpha, key.lower()))
-
-
 def _read_knet(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     """Return the one channel of a file of K-NET or KiK-net.
 
@@ -116,28 +108,24 @@ def _read_knet(text: str, unit: str | None, dt: float | None) -> list[Channel]:
         The header or a count is damaged, or the samples are not as long as stated.
     """
     top = list(islice(lines(text), _KNET_HEADER_LINES + 1))
-    header = {_letters(line[:18]): line[18:].strip() for _, line in top[:_KNET_HEADER_LINES]}
+    # A key is known by its letters: some files leave out points and blanks.
+    keyed = (("".join(filter(str.isalpha, line[:18].lower())), line[18:].strip()) for _, line in top)
+    header = dict(islice(keyed, _KNET_HEADER_LINES))
     if len(top) <= _KNET_HEADER_LINES or "memo" not in header:
         raise lacks("knet_memo")
-
-    def entry(key: str, what: str) -> str:
-        if value := header.get(_letters(key), ""):
-            return value
-        raise lacks(what)
-
     factor = acceleration_unit("gal", unit)
     counts = numbers(words(text, top[_KNET_HEADER_LINES][0]), "the_counts")
-    rate = quantity(entry("Sampling Freq(Hz)", "sampling_frequency"), ("HZ",), "sampling_frequency")
-    seconds = quantity(entry("Duration Time(s)", "duration"), ("S",), "duration")
-    peak = quantity(entry("Max. Acc. (gal)", "the_peak"), ("GAL",), "the_peak")
-    scale = _KNET_SCALE.fullmatch(entry("Scale Factor", "scale_factor"))
+    rate = quantity(header.get("samplingfreqhz", ""), ("HZ",), "sampling_frequency")
+    seconds = quantity(header.get("durationtimes", ""), ("S",), "duration")
+    peak = quantity(header.get("maxaccgal", ""), ("GAL",), "the_peak")
+    scale = _KNET_SCALE.fullmatch(header.get("scalefactor", ""))
     if scale is None or not (float(scale[1]) > 0.0 and float(scale[2]) > 0.0):
         raise lacks("scale_factor")
     if abs(len(counts) - rate * seconds) >= 1.0 - 1e-6:
         raise not_as_stated("duration", seconds, len(counts) / rate, " s")
     counts -= counts.mean()
     counts *= 0.01 * float(scale[1]) / float(scale[2])  # m/s² a count
-    direction = entry("Dir.", "direction")
+    direction = header.get("dir", "")
     label = _KNET_DIRECTIONS.get(direction.replace("-", "").upper())
     if label is None:
         raise unknown("motion.direction", direction, ("N-S", "E-W", "U-D", *"123456"))

@@ -279,8 +279,10 @@ def quantity(text: str, units: Sequence[str], what: str) -> float:
     Raises
     ------
     InputError
-        It is not one finite number, or has another unit.
+        There is none, it is not one finite number, or has another unit.
     """
+    if not text.strip():
+        raise lacks(what)
     match = _QUANTITY.fullmatch(" ".join(text.split()))
     value = float(match[1]) if match and match[2].upper() in ("", *units) else math.nan
     if not math.isfinite(value) or (units == ("HZ",) and value <= 0.0):
