@@ -285,7 +285,7 @@ REFUSED = {
         (esm(UNITS=""), "no unit"),
         (esm(UNITS="cm/s"), "'cm/s'"),
         (esm(NDATA="20"), "number of samples 20 and the file has 21"),
-        (esm(NDATA=""), "no NDATA"),
+        (esm(NDATA=""), "Value 1 of the entries NDATA"),
         (esm(SAMPLING_INTERVAL_S="0"), "time step"),
         (esm(DURATION_S="0.210"), "must agree"),
         (esm(**{"PGA_CM/S^2": "300.0"}), "peak acceleration"),

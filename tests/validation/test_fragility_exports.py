@@ -263,7 +263,7 @@ def test_refused(tmp_path: Path) -> None:
     for write, path in ((write_pelicun, tmp_path / "a.csv"), (write_nrml, tmp_path / "a.xml")):
         for curves, said in (
             ([standing], "none fell"),
-            ([alone], "1 motion"),
+            ([alone], "of one motion"),
             ([CURVES[0], CURVES[0]], "Two are named"),
             ([], "curves is empty"),
         ):

@@ -121,9 +121,7 @@ def _read_esm(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     if kind.upper() != "ACCELERATION":
         where = "DATA_TYPE", "「DATA_TYPE」"
         raise InputError("motion.not_acceleration", where=where, quantity=excerpt(kind))
-    if missing := [key for key in _NEEDED if not header.get(key)]:
-        raise InputError("motion.no_header_entry", what=(missing[0], f"「{missing[0]}」"))
-    count, step = numbers([header[key] for key in _NEEDED], "the_esm_size").tolist()
+    count, step = numbers([header.get(key, "") for key in _NEEDED], "the_esm_size").tolist()
     factor = acceleration_unit(header.get("UNITS") or None, unit)
     samples = numbers(words(text, begin), "the_samples")
     check_count(len(samples), count)
