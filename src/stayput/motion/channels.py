@@ -32,17 +32,11 @@ LISTED: Phrase = (", ", "、")
 _UP = re.compile(r"UD\d?|UP|UPDOWN|UPWARDS?|Z|U|V|VER|VRT|VERT|VERTICAL")
 _DOWN = re.compile(r"DOWN|DWN|DN")
 _VERTICAL = re.compile(rf"{_UP.pattern}|{_DOWN.pattern}|(?!HZ)[A-Z]{{1,2}}Z")
-_AZIMUTHS = {"N": "0", "NS": "0", "NORTH": "0", "360": "0", "E": "90", "EW": "90", "EAST": "90"} | {
-    "S": "180",
-    "SOUTH": "180",
-    "W": "270",
-    "WEST": "270",
-}
+_NAMED = {"0": "N NS NORTH 360", "90": "E EW EAST", "180": "S SOUTH", "270": "W WEST"}
+_AZIMUTHS = {name: azimuth for azimuth, names in _NAMED.items() for name in names.split()}
 _OF_THE_SENSOR = {"H1", "H2", "L", "LONG", "R", "T", "TRAN", "TRANS"}
 _HORIZONTAL = {*_AZIMUTHS, *_OF_THE_SENSOR, "X", "Y"} - {"S"}  # which heads seconds, too
-_SEED_CODE = re.compile(
-    r"(?:[0-9]{2})?[A-SU-Z][HLGN]([NEZ])(?:[0-9]{2})?"  # "THE" is none
-)  # a seismometer's channel, its location
+_SEED_CODE = re.compile(r"(?:[0-9]{2})?[A-SU-Z][HLGN]([NEZ])(?:[0-9]{2})?")  # with a location; not "THE"
 _AXIS = re.compile(r"(?:A|ACC|ACCEL|ACCELERATION)([XYZ])")
 
 _OF_KIK_NET = re.compile(r"(?<=NS|EW|UD)[12]$")  # its two sensors

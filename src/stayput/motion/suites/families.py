@@ -113,16 +113,6 @@ class PointSource:
         rest = self.corner_frequency**2 - (1.0 - self.weight) * self.lower_corner**2
         return math.sqrt(max(rest / self.weight, self.lower_corner**2))
 
-    @property
-    def source_duration(self) -> float:
-        """1/(2 fa) [s] (Atkinson and Silva 2000)."""
-        return 0.5 / self.lower_corner
-
-    @property
-    def path_duration(self) -> float:
-        """What the path adds [s]."""
-        return DURATION_PER_KM * self.effective_distance
-
     def amplitude(self, f: NDArray[np.float64], kappa_factor: float = 1.0) -> NDArray[np.float64]:
         """Return A(f) of a horizontal component on the crust's hardest rock [m/s], shape of f.
 
@@ -228,9 +218,10 @@ def s_arrival(params: Parameters) -> float:
 def _bursts(params: Parameters) -> list[tuple[float, float, float]]:
     """Return start [s], length of the envelope [s] and share of each burst of the shear waves."""
     start, bursts = s_arrival(params), list[tuple[float, float, float]]()
+    of_path = DURATION_PER_KM * params.source.effective_distance
     for share in params.shares:
-        duration = share * params.source.source_duration
-        bursts.append((start, ENVELOPE_LENGTH * (duration + params.source.path_duration), share))
+        duration = share * (0.5 / params.source.lower_corner)  # of 1/(2 fa) (Atkinson and Silva 2000)
+        bursts.append((start, ENVELOPE_LENGTH * (duration + of_path), share))
         start += ENVELOPE_LENGTH * duration
     return bursts
 
