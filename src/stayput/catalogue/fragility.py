@@ -107,7 +107,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "unseen": ("has its median outside what was run", "の中央値は、計算した範囲の外にあります"),
     "fits": ("fits", "が合います"),
     "misfits": ("does not fit", "は合いません"),
-    "of_one_motion": ("of one motion", "1つの地震動だけのもの"),
+    "of_one_motion": ("of one motion", "「地震動が1つ」"),
     # sample size
     "half_width": ("Half width", "信頼区間の半幅"),
     "share": ("Share", "割合"),
