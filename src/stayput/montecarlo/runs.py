@@ -266,7 +266,7 @@ def settled_levels(
     """
     number = np.arange(len(levels)).reshape(-1, 1, 1, 1)
     missing = np.zeros((len(levels), *shape), np.bool_)
-    made = told = 0
+    made = settled = 0
 
     def ran(place: int, chosen: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
         nonlocal made
@@ -292,10 +292,10 @@ def settled_levels(
         high[option] = np.where(outcomes.overturned & ~outcomes.missing, above, len(levels))
     while True:
         open_levels = np.maximum(high - low - 1, 0)
-        settled = missing.size - int(open_levels.sum()) - made
-        if progress is not None and settled > told:
-            progress(settled - told)
-        told = settled
+        more = missing.size - int(open_levels.sum()) - made - settled
+        if progress is not None and more:
+            progress(more)
+        settled += more
         if not open_levels.any():
             return falls(number >= high), made
         middle = (low + high) // 2
