@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
     from stayput.catalogue import Phrase
 
-FORMAT = 9
+FORMAT = 10
 """Changes with the files' layout or meaning."""
 
 MANIFEST, WORK, LOCK = "manifest.json", "work", ".lock"

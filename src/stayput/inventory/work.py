@@ -16,11 +16,12 @@ import numpy as np
 from stayput.errors import InputError
 from stayput.execution import Shared
 from stayput.inventory.folder import OUTCOMES
-from stayput.inventory.store import OutcomeStore, ground_of, measures_of, piece_of, record_type
+from stayput.inventory.store import OutcomeStore, ground_of, record_type
 from stayput.montecarlo.counting import OVERTURNED, Outcomes, Quantiles
 from stayput.montecarlo.hazard import Ground, PreparedFloor
 from stayput.montecarlo.runs import run_prepared
 from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
+from stayput.saved import from_text
 from stayput.verification.contents import first_draws, share_out, spilt_under
 
 if TYPE_CHECKING:
@@ -84,7 +85,8 @@ def evaluate(
     tuple
         Their records, and the runs that were done.
     """
-    option, runs = measures_of(measures), 0
+    option: tuple[Measure, ...] = tuple(from_text(measures))
+    runs = 0
     records = np.zeros(len(units), kind)
     records["unit"] = [number for number, _ in units]
     records["out"] = np.nan
@@ -104,7 +106,7 @@ def _block(
 ) -> int:
     """Simulate a block of units, fill in their records and return the number of runs."""
     runs = 0
-    pieces = [piece_of(spec) for spec in specs]
+    pieces: list[tuple[Body, Room, Contents | None]] = [from_text(spec) for spec in specs]
 
     def run(places: list[int], samples: int, start: int) -> list[Outcomes]:
         nonlocal runs
