@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from typing import Any, Self
 
 from pydantic import BaseModel, ConfigDict, Field
 
-TwoNumbers = tuple[float, float]
+from stayput.report.summary import attribute
 
-_UNIT = re.compile("_(bytes|count|kg|m|m_s|m_s2|n|rad|s)$")
+TwoNumbers = tuple[float, float]
 
 
 class Reply(BaseModel):
@@ -19,7 +18,7 @@ class Reply(BaseModel):
 
     @classmethod
     def from_attributes(cls, source: object, **known: Any) -> Self:
-        """Make it of an object's attributes, which are named like its fields, without their units.
+        """Make it of an object's attributes, which are named like its fields; see `attribute`.
 
         Parameters
         ----------
@@ -29,7 +28,7 @@ class Reply(BaseModel):
             Values of fields that are no such attributes.
         """
         others = [name for name in cls.model_fields if name not in known]
-        return cls(**{name: getattr(source, _UNIT.sub("", name)) for name in others}, **known)
+        return cls(**{name: attribute(source, name) for name in others}, **known)
 
 
 class Words(Reply):

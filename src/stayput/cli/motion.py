@@ -68,15 +68,12 @@ def info(
 def _measures(motion: Motion) -> dict[str, Any]:
     """Return how strong a motion is, as one JSON object."""
     from stayput.motion.intensity import Intensities, SpectralMeasures
-    from stayput.report.summary import number
+    from stayput.report.summary import attributes, number
 
     about, moved = Intensities.of(motion), _displacements(motion)
     parts = {name: (peaks, SpectralMeasures.of(motion, name)) for name, peaks in motion.peaks().items()}
     return {
-        "name": motion.name,
-        "source": motion.source,
-        "synthetic": motion.synthetic,
-        "dt_s": motion.dt,
+        **attributes(motion, "name", "source", "synthetic", "dt_s"),
         "samples": len(motion),
         "duration_s": motion.duration,
         "jma_intensity": number(about.intensity),
@@ -87,18 +84,12 @@ def _measures(motion: Motion) -> dict[str, Any]:
         "floor": motion.floor or None,
         "components": {
             name: {
-                "pga_m_s2": peaks.pga,
-                "pgv_m_s": peaks.pgv,
-                "pgd_m": peaks.pgd,
+                **attributes(peaks, "pga_m_s2", "pgv_m_s", "pgd_m"),
                 "pgd_baseline_corrected_m": moved[name].corrected,
                 "displacement_drifts": moved[name].drifts,
-                "arias_m_s": peaks.arias,
-                "cav_m_s": peaks.cav,
-                "significant_duration_s": peaks.significant_duration,
-                "housner_intensity_m": spectral.housner_intensity,
-                "spectrum_intensity_m_s": spectral.spectrum_intensity,
-                "predominant_period_s": number(spectral.predominant_period),
-                "mean_period_s": number(spectral.mean_period),
+                **attributes(peaks, "arias_m_s", "cav_m_s", "significant_duration_s"),
+                **attributes(spectral, "housner_intensity_m", "spectrum_intensity_m_s"),
+                **attributes(spectral, "predominant_period_s", "mean_period_s"),
             }
             for name, (peaks, spectral) in parts.items()
         },

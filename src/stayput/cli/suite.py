@@ -98,6 +98,7 @@ def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) 
     from stayput.files import folder_draft, name_part
     from stayput.progress import bar
     from stayput.report.spectra import plot_suite, suite_title
+    from stayput.report.summary import attributes
     from stayput.spreadsheets import CSV_ENCODING, csv_text
 
     rows: list[dict[str, object]] = []
@@ -112,16 +113,11 @@ def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) 
             motion.write(folder / file)
             about: dict[str, object] = {
                 "file": file,
-                "name": motion.name,
-                "synthetic": motion.synthetic,
-                "dt_s": motion.dt,
-                "duration_s": motion.duration,
+                **attributes(motion, "name", "synthetic", "dt_s", "duration_s"),
                 "jma_intensity": motion.intensity,
-                "pga_m_s2": motion.pga,
-                "pgv_m_s": motion.pgv,
+                **attributes(motion, "pga_m_s2", "pgv_m_s"),
                 "d5_95_s": motion.significant_duration,
-                "floor": motion.floor,
-                "source": motion.source,
+                **attributes(motion, "floor", "source"),
             }
             rows.append(about)
             advance(1)

@@ -29,6 +29,7 @@ from stayput.inventory.summary import REJECTS, export_results, formats_of, summa
 from stayput.inventory.work import Work
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.progress import bar
+from stayput.report.summary import attributes
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Mapping, Sequence
@@ -280,15 +281,11 @@ def _manifest(work: Work, limit: float) -> dict[str, Any]:
         "shake map": None if shakemap is None else shakemap.about,
         "scenarios": [
             {
-                "name": file.name,
-                "digest": file.digest,
+                **attributes(file, "name", "digest"),
                 "suite": file.ground.name,
                 "synthetic": file.ground.synthetic,
                 "intensity": work.strengths(file.name, None)["intensity"] if shakemap is None else None,
-                "motions": settings.motions,
-                "samples": settings.samples,
-                "seed": settings.seed,
-                "precision": settings.precision,
+                **attributes(settings, "motions", "samples", "seed", "precision"),
             }
             for file, settings in zip(scenarios.all, work.settings, strict=True)
         ],

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
@@ -362,9 +363,17 @@ def number(value: float) -> float | None:
     return float(value) if math.isfinite(value) else None
 
 
-def attributes(value: object, *names: str) -> dict[str, Any]:
-    """Return attributes of a value by their names; None in place of a number that is not finite."""
-    return {name: number(part) if isinstance(part := getattr(value, name), float) else part for name in names}
+_UNIT = re.compile("_(bytes|count|kg|m|m_s|m_s2|n|rad|s)$")
+
+
+def attribute(value: object, key: str) -> Any:
+    """Return the attribute of a value that a key names, with its unit behind it."""
+    return getattr(value, key if hasattr(value, key) else _UNIT.sub("", key))
+
+
+def attributes(value: object, *keys: str) -> dict[str, Any]:
+    """Return attributes of a value by keys; None in place of a number that is not finite; see `attribute`."""
+    return {key: number(part) if isinstance(part := attribute(value, key), float) else part for key in keys}
 
 
 def by_language(text: Phrase) -> dict[str, str]:
