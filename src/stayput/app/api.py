@@ -76,14 +76,8 @@ class PlanProgressReply(Reply):
 def api(service: Service) -> APIRouter:
     """Return the routes under /api/v1."""
     router = APIRouter(prefix="/api/v1")
-    parts = (
-        ("general", _add_general),
-        ("runs", _add_runs),
-        ("verification", _add_jobs),
-        ("verification", _add_plans),
-        ("motions", _add_motions),
-    )
-    for tag, add in parts:
+    parts = {"general": _add_general, "runs": _add_runs, "verification": _add_jobs, "motions": _add_motions}
+    for tag, add in parts.items():
         routes = APIRouter(tags=[tag])
         add(routes, service)
         router.include_router(routes)
@@ -260,6 +254,8 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
         _, verdict = service.done(name)
         file = "stayput_ranking.csv" if verdict.scenario.plan is None else "stayput_room.csv"
         return await service.workers.run(lambda: attachment(verdict.to_csv().encode(CSV_ENCODING), file))
+
+    _add_plans(router, service)
 
 
 def _add_plans(router: APIRouter, service: Service) -> None:

@@ -24,6 +24,8 @@ from stayput.cli.messages import note, plain_table, print_json, tell_written, te
 from stayput.cli.streams import check_output, is_stream, to_output, write_text
 from stayput.cli.suite import suite
 from stayput.errors import InputError, InputWarning, not_allowed, unknown, warn
+from stayput.files import PLOT_SUFFIXES, check_target
+from stayput.spreadsheets import csv_text
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -256,8 +258,6 @@ def plot(
     lang: LanguageOption = "",
 ) -> None:
     """Run ``stayput motion plot``."""
-    from stayput.files import PLOT_SUFFIXES, check_target
-
     check_target(out, PLOT_SUFFIXES)
     tables = tables_of_motion(motion, said, out)
     if (response := respond(tables)) is not None:
@@ -291,12 +291,10 @@ def spectrum(
     lang: LanguageOption = "",
 ) -> None:
     """Run ``stayput motion spectrum``."""
-    from stayput.files import PLOT_SUFFIXES, check_target
     from stayput.motion.response import PERIODS
 
     check_output(out, (".csv",))
-    if plot is not None:
-        check_target(plot, PLOT_SUFFIXES)
+    check_output(plot, PLOT_SUFFIXES, stream=False)
     record = motion_of(tables_of_motion(motion, said, out, plot))
     instead = to_output({"--out": out})
 
@@ -317,8 +315,6 @@ def spectrum(
 
 
 def _spectra_csv(spectra: dict[str, ResponseSpectrum]) -> str:
-    from stayput.spreadsheets import csv_text
-
     columns = {"period_s": next(iter(spectra.values())).periods.tolist()}
     for name, spectrum in spectra.items():
         columns[f"sa_{name}_m_s2"] = spectrum.sa.tolist()

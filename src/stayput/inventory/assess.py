@@ -190,7 +190,7 @@ def assess(
     def check_unchanged() -> None:
         for name, path in files.items():
             if input_digest(name, path) != digests[name]:
-                raise InputError("inventory.changed", file=called(name), path=repr(str(path)))
+                raise InputError("inventory.changed", file=called(name), path=path)
 
     with _full_disk(folder), claimed(folder, inputs) as space:
         with bar(_rows_about(table), "progress.reading", progress, "progress.rows") as advance:
@@ -255,9 +255,7 @@ def _full_disk(folder: Path) -> Generator[None]:
         reason = reason_of(error)
         where = getattr(error, "filename2", None) or getattr(error, "filename", None)
         at = phrase("inventory.at_path", path=repr(str(where))) if where else ""
-        raise InputError(
-            "inventory.unwritable", "out", folder=repr(str(folder)), reason=reason, at=at
-        ) from error
+        raise InputError("inventory.unwritable", "out", folder=folder, reason=reason, at=at) from error
 
 
 def _rows_about(table: Path) -> int:

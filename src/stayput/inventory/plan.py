@@ -170,7 +170,7 @@ def make_plan(
                 flush()
         flush()
         if counts["rows"] == counts["empty rows"]:
-            raise not_allowed("inventory.the_file", repr(str(inventory)), "inventory.no_rows", "inventory")
+            raise not_allowed("inventory.the_file", inventory, "inventory.no_rows", "inventory")
         store.finish(
             {
                 **{name: counts[name] for name in COUNTED},
