@@ -70,29 +70,25 @@ SCENE_MEASURES: list[dict[str, Any]] = [{"type": "l_bracket"}]
 """Measures to begin with."""
 
 NUMBERS = {
-    **{
-        f"furniture.{name}": parameter_of(Body, name)
-        for name in ("width", "height", "length", "mass", "base")
-    },
-    "furniture.shelves": parameter_of(Part, "mass"),
-    **{f"room.left_wall.{name}": parameter_of(Wall, name) for name in ("gap", "construction")},
-    **{f"room.ceiling.{name}": parameter_of(Ceiling, name) for name in ("height", "construction")},
-    **{f"everyday.{name}": parameter_of(Everyday, name) for name in ("drawers", "load", "pull")},
-    "shaking.suite.count": parameter_of(synthetic_suite, "count"),
-    "shaking.pga": parameter_of(strength_of_pga, "pga"),
-    "shaking.pgv": parameter_of(strength_of_pgv, "pgv"),
-    "shaking.sa.period": parameter_of(strength_of_sa, "period"),
-    "shaking.sa.value": parameter_of(strength_of_sa, "value"),
-    "shaking.mmi": parameter_of(strength_of_mercalli, "mmi"),
-    **{f"shaking.earthquake.{about.name}": about for about in parameters_of(EarthquakeSource)},
-    **{f"plan.{name}": parameter_of(FloorPlan, name) for name in ("width", "length")},
-    **{f"doors.{name}": parameter_of(Door, name) for name in ("start", "width")},
-    **{f"windows.{name}": parameter_of(Window, name) for name in ("start", "width", "sill")},
-    **{
-        f"places.{name}": parameter_of(PersonPlace, name)
-        for name in ("width", "length", "low", "high", "day", "night")
-    },
-}
+    f"{table}.{name}": parameter_of(kind, name)
+    for table, kind, *names_there in (
+        ("furniture", Body, "width", "height", "length", "mass", "base"),
+        ("room.left_wall", Wall, "gap", "construction"),
+        ("room.ceiling", Ceiling, "height", "construction"),
+        ("everyday", Everyday, "drawers", "load", "pull"),
+        ("shaking.suite", synthetic_suite, "count"),
+        ("shaking", strength_of_pga, "pga"),
+        ("shaking", strength_of_pgv, "pgv"),
+        ("shaking.sa", strength_of_sa, "period", "value"),
+        ("shaking", strength_of_mercalli, "mmi"),
+        ("shaking.earthquake", EarthquakeSource, *(about.name for about in parameters_of(EarthquakeSource))),
+        ("plan", FloorPlan, "width", "length"),
+        ("doors", Door, "start", "width"),
+        ("windows", Window, "start", "width", "sill"),
+        ("places", PersonPlace, "width", "length", "low", "high", "day", "night"),
+    )
+    for name in names_there
+} | {"furniture.shelves": parameter_of(Part, "mass")}
 """Numbers and words of a scene, and of a room with a plan, that the pages ask for."""
 
 
