@@ -127,7 +127,7 @@ def _print(assessment: Assessment, exported: Sequence[str], lang: str) -> None:
     from stayput.inventory.report import printed_lines
 
     facts, events = assessment.facts, assessment.summary.events
-    for line in printed_lines(facts, events, assessment.runs, "geojson" in exported, lang):
-        typer.echo(line)
+    for line in printed_lines(facts, events, assessment.runs, "geojson" in exported):
+        typer.echo(say(line, lang))
     files = (assessment.folder / f"pieces.{name}" for name in exported)
     tell_written(lang, assessment.report("ja" if lang == "ja" else "en"), *files)
