@@ -201,8 +201,7 @@ class Jobs:
         """Stop all jobs."""
         with self._lock:
             for job in self._jobs.values():
-                job.stop.set()
-                job.turn.leave()
+                self._cancel(job)
 
     def _run(self, job: Job, work: JobWork) -> None:
         def note_verdict(verdict: Verdict) -> None:
@@ -243,7 +242,7 @@ class Jobs:
                 job.state = state
 
     def _cancel(self, job: Job) -> None:
-        """Let a job that has not ended be cancelled."""
+        """Let a job be cancelled, where it has not ended."""
         job.stop.set()
         job.turn.leave()
         self._end(job, "cancelled")
