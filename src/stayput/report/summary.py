@@ -139,16 +139,12 @@ def piece_results(run: Run) -> list[dict[str, Any]]:
             "overturned": None if lost else piece.overturned,
             "overturn_time_s": number(piece.overturn_time),
             "fell_off": None if lost else piece.fell_off,
-            "fall_time_s": number(piece.fall_time),
-            "peak_tilt_rad": number(piece.peak_tilt),
-            "peak_slide_m": number(piece.peak_slide),
-            "residual_tilt_rad": number(piece.residual_tilt),
+            **attributes(piece, "fall_time_s", "peak_tilt_rad", "peak_slide_m", "residual_tilt_rad"),
             "residual_slide_m": [number(way) for way in left(piece)],
             "residual_yaw_rad": number(piece.yaw[-1]),
             "place_m": [number(part) for part in place[-1].tolist()],
             "attitude": [number(part) for part in attitude[-1].tolist()],
-            "floor_impacts": piece.floor_impacts,
-            "wall_impacts": piece.wall_impacts,
+            **attributes(piece, "floor_impacts", "wall_impacts"),
             "impacts_on_bodies": piece.body_impacts,
         }
         for name, piece, place, attitude in zip(run.names, run.pieces, run.place, run.attitude, strict=True)
@@ -161,13 +157,8 @@ def device_results(device: DeviceResult) -> dict[str, Any]:
         "kind": device.kind,
         "label": by_language(device.label),
         "name": device.place,
-        "peak_pull_n": device.peak_pull,
-        "peak_push_n": device.peak_push,
-        "peak_shear_n": device.peak_shear,
-        "utilisation": number(device.utilisation),
-        "failed": device.failed,
-        "failure_time_s": number(device.failure_time),
-        "cause": device.cause,
+        **attributes(device, "peak_pull_n", "peak_push_n", "peak_shear_n"),
+        **attributes(device, "utilisation", "failed", "failure_time_s", "cause"),
         "weakest": None if device.weakest is None else by_language(device.weakest),
     }
 
@@ -218,10 +209,7 @@ def summary(run: Run) -> dict[str, Any]:
 def motion_data(motion: Motion) -> dict[str, Any]:
     """Return what a motion is as plain values."""
     return {
-        **attributes(motion, "name", "source", "synthetic"),
-        "dt_s": motion.dt,
-        "duration_s": number(motion.duration),
-        "pga_m_s2": number(motion.pga),
+        **attributes(motion, "name", "source", "synthetic", "dt_s", "duration_s", "pga_m_s2"),
         "floor": motion.floor or None,
     }
 
