@@ -138,8 +138,7 @@ def folder_draft(folder: Path) -> Generator[Path]:
             else:
                 file.replace(target)
     except OSError as error:
-        reason = reason_of(error)
-        raise InputError("common.not_written", path=folder, reason=reason) from error
+        raise _not_written(folder, error) from error
     except InputError as error:
         raise error.renamed(f"{path}{os.sep}", f"{folder}{os.sep}") from None
     finally:

@@ -180,11 +180,9 @@ def _refusing(file: Path, kind: type) -> Generator[None]:
 def _read(
     kind: type[T], file: Path, content: Any, array_of: Callable[[Mapping[str, Any]], NDArray[Any]]
 ) -> T:
-    try:
+    with _refusing(file, kind):
         version, digest, data = str(content["stayput"]), content["sha256"], content["value"]
         written = int(content["format"])
-    except (KeyError, TypeError, ValueError, OverflowError):
-        raise InputError("saved.another", "path", file=str(file), kind=kind.__name__) from None
     if written != _FORMAT:
         raise InputError("saved.other_version", "path", file=str(file), version=version)
     try:
