@@ -55,11 +55,6 @@ def in_one(sentences: Iterable[Phrase]) -> Phrase:
     return joined(kept, (" ", "")) if kept else NOTHING
 
 
-def in_a_list(parts: Sequence[Phrase]) -> Phrase:
-    """Return parts of a sentence as a list; empty where there are none."""
-    return joined(parts) if parts else NOTHING
-
-
 def named(name: str) -> Phrase:
     """Return a name, in each language where stayput gave it."""
     return name, given_name(name, "ja")
@@ -185,8 +180,9 @@ def findings_told(total: Total) -> Phrase:
             for event in RANKING_ORDER
             if (count := total.lessened[finding, event])
         ]
-        values = {"against": in_a_list(lessened), "safe": percent(SAFE), "least": least_motions()}
-        sentences.append(tell(f"{finding}_counted", pieces=pieces_counted(total.findings[finding]), **values))
+        against, pieces = joined(lessened) if lessened else "", pieces_counted(total.findings[finding])
+        values = {"pieces": pieces, "against": against, "safe": percent(SAFE), "least": least_motions()}
+        sentences.append(tell(f"{finding}_counted", **values))
     return in_one(sentences)
 
 
