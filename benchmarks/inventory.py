@@ -100,10 +100,10 @@ def bare(scenario: Path, table: Path, threads: int) -> tuple[int, float, float]:
     from stayput.inventory.header import Header
     from stayput.inventory.items import RowReader
     from stayput.inventory.scenarios import read_scenarios
-    from stayput.inventory.store import piece_of
     from stayput.inventory.tables import open_table
     from stayput.montecarlo.hazard import Ground, PreparedFloor
     from stayput.montecarlo.sampling import Settings, draws, rows_of
+    from stayput.saved import from_text
     from stayput.simulation.many import run_rows
 
     cities = read_scenarios(scenario)
@@ -118,7 +118,7 @@ def bare(scenario: Path, table: Path, threads: int) -> tuple[int, float, float]:
         header = Header(read.header)
         for number, cells in read.rows:
             (exposure,) = reader.exposures(number, header.cells(cells))
-            body, room, _ = piece_of(exposure.piece)
+            body, room, _ = from_text(exposure.piece)
             rows.append(rows_of(body, room, (), drawn, settings.gravity))
     cases = np.stack([row.cases.reshape(settings.motions, -1) for row in rows])
     elements = np.stack([row.elements.reshape(settings.motions, cases.shape[2], -1) for row in rows])
@@ -212,11 +212,12 @@ def kinds(folder: Path) -> list[dict[str, Any]]:
     """Time of a run of a full bookcase by what holds it, on one thread, the best of three."""
     import stayput as sp
     from stayput.inventory.scenarios import read_scenarios
-    from stayput.inventory.store import measures_spec, piece_spec, record_type
+    from stayput.inventory.store import record_type
     from stayput.inventory.work import evaluate
     from stayput.measures import MEASURES
     from stayput.montecarlo.hazard import Ground, PreparedFloor
     from stayput.montecarlo.sampling import Settings
+    from stayput.saved import to_text
 
     stated = read_scenarios(city(folder, 160)).all[0]
     ground = Ground(stated.ground)
@@ -224,10 +225,10 @@ def kinds(folder: Path) -> list[dict[str, Any]]:
     settings = Settings.of(stated.scenario, len(stated.ground), 0.1)
     outcome = record_type(settings.motions, settings.samples)
     room = sp.Room(left_wall=sp.Wall(0.05), ceiling=sp.Ceiling(2.4))
-    unit = [(0, piece_spec(sp.Body(0.3, 1.8, 200.0), room))]
+    unit = [(0, to_text((sp.Body(0.3, 1.8, 200.0), room, None)))]
     found = []
     for kind in (None, "wedge_stopper", "gel_mats", "belt", "l_bracket", "tension_pole"):
-        spec = measures_spec((MEASURES[kind](),) if kind else ())
+        spec = to_text([MEASURES[kind]()] if kind else [])
         times: list[float] = []
         for _ in range(3):
             began = time.process_time()

@@ -11,6 +11,7 @@ from collections.abc import Sized
 from contextlib import contextmanager
 from contextvars import ContextVar
 from difflib import get_close_matches
+from pathlib import PurePath
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from stayput.catalogue import TEXTS, is_phrase, phrase, say
@@ -118,7 +119,8 @@ class _Told:
     field : str or None
         Dotted name of the input that is wrong or doubtful, where one is.
     values : dict
-        What stands in the sentence's braces; ``name`` is the field where nothing else is given.
+        What stands in the sentence's braces, a path between quotation marks; ``name`` is the field where
+        nothing else is given.
     context : tuple of Phrase
         Where it was met, the outermost first: a file, a table of the scenario.
     """
@@ -128,6 +130,7 @@ class _Told:
     ) -> None:
         if field is not None:
             values.setdefault("name", field)
+        values = {key: repr(str(v)) if isinstance(v, PurePath) else v for key, v in values.items()}
         self.code, self.field, self.context, self.values = code, field, context, values
         super().__init__(self.told("en"))  # pyright: ignore[reportCallIssue] - beside an exception
 
@@ -277,9 +280,9 @@ def unknown(
 
 
 def not_allowed(
-    name: str | Phrase, value: str | Phrase, allowed: str | Phrase, field: str | None = None
+    name: str | Phrase, value: str | Phrase | PurePath, allowed: str | Phrase, field: str | None = None
 ) -> InputError:
-    """Return the refusal of a value, as a sentence shows it, with what is allowed."""
+    """Return the refusal of a value, as a sentence shows it, with what is allowed; see `InputError`."""
     return InputError(
         "common.not_allowed", field, name=_called(name), value=value, hint="", allowed=_called(allowed)
     )

@@ -49,12 +49,12 @@ def check_target(path: str | Path, suffixes: Sequence[str]) -> Path:
         raise not_allowed("model.file_to_write", quoted(str(target)), "model.null_in_name")
     if target.suffix.lower() not in suffixes:
         allowed = phrase("model.wrong_suffix", suffixes=", ".join(suffixes))
-        raise not_allowed("model.file_to_write", repr(str(target)), allowed)
+        raise not_allowed("model.file_to_write", target, allowed)
     try:
         if not target.parent.is_dir():
-            raise not_allowed("model.file_to_write", repr(str(target)), "model.no_folder")
+            raise not_allowed("model.file_to_write", target, "model.no_folder")
         if target.is_dir():
-            raise not_allowed("model.file_to_write", repr(str(target)), "model.file_is_folder")
+            raise not_allowed("model.file_to_write", target, "model.file_is_folder")
     except OSError as error:
         raise _not_written(target, error) from None
     return target
@@ -111,7 +111,7 @@ def draft(target: Path) -> Generator[Path]:
 
 
 def _not_written(target: Path, error: OSError) -> InputError:
-    return InputError("common.not_written", path=repr(str(target)), reason=reason_of(error))
+    return InputError("common.not_written", path=target, reason=reason_of(error))
 
 
 @contextmanager
@@ -138,8 +138,7 @@ def folder_draft(folder: Path) -> Generator[Path]:
             else:
                 file.replace(target)
     except OSError as error:
-        reason = reason_of(error)
-        raise InputError("common.not_written", path=repr(str(folder)), reason=reason) from error
+        raise _not_written(folder, error) from error
     except InputError as error:
         raise error.renamed(f"{path}{os.sep}", f"{folder}{os.sep}") from None
     finally:
@@ -183,5 +182,5 @@ def check_animation(path: str | Path) -> Path:
     """
     target = check_target(path, ANIMATION_SUFFIXES)
     if target.suffix.lower() == ".mp4" and shutil.which("ffmpeg") is None:
-        raise not_allowed("model.file_to_write", repr(str(target)), "model.without_ffmpeg")
+        raise not_allowed("model.file_to_write", target, "model.without_ffmpeg")
     return target

@@ -156,6 +156,16 @@ class InNetcdf(InJson, ABC):
         return _read(cls, file, content, array_of)
 
 
+def to_text(value: object) -> str:
+    """Return a value as text with all its bits, from which `from_text` makes it again."""
+    return json.dumps(_encoded(value, _numbers))
+
+
+def from_text(text: str) -> Any:
+    """Return the value that `to_text` made a text of."""
+    return _decoded(json.loads(text), _of_numbers)
+
+
 @contextmanager
 def _refusing(file: Path, kind: type) -> Generator[None]:
     """Refuse a file that cannot be read, or that is of something else."""
@@ -170,11 +180,9 @@ def _refusing(file: Path, kind: type) -> Generator[None]:
 def _read(
     kind: type[T], file: Path, content: Any, array_of: Callable[[Mapping[str, Any]], NDArray[Any]]
 ) -> T:
-    try:
+    with _refusing(file, kind):
         version, digest, data = str(content["stayput"]), content["sha256"], content["value"]
         written = int(content["format"])
-    except (KeyError, TypeError, ValueError, OverflowError):
-        raise InputError("saved.another", "path", file=str(file), kind=kind.__name__) from None
     if written != _FORMAT:
         raise InputError("saved.other_version", "path", file=str(file), version=version)
     try:

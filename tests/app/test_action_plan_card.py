@@ -11,7 +11,7 @@ from test_room_api import ROOM, ended
 
 import stayput as sp
 from long_cases import long
-from stayput.app import room_api
+from stayput.app import api
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -38,7 +38,7 @@ def test_the_plan_of_a_room_that_is_done(
         given["on_progress"](plan.verdict.runs)
         return plan
 
-    monkeypatch.setattr(room_api, "action_plan", action_plan)
+    monkeypatch.setattr(api, "action_plan", action_plan)
     asked: dict[str, Any] = {"scene": ROOM, "changes": False}
     job = ended(client, client.post("/api/v1/room", json=asked).json())
     address = f"/api/v1/jobs/{job['id']}/plan"

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from raw import connected
 from serving import COMPILING, SCENE, Running, client_of, running
 
-from stayput.app import api, jobs, room_api, turns
+from stayput.app import api, jobs, turns
 from stayput.app.limits import Limits
 from stayput.app.turns import CLIENT_HEADER, NOBODY, Client, StoppedError, Turn, Turns, first_to_go
 from waiting import wait_until
@@ -167,14 +167,14 @@ def test_long_work_takes_turns_and_what_is_not_wanted_leaves(monkeypatch: pytest
 
 def test_a_plan_lets_another_pass_and_ends_when_its_client_leaves(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(turns, "SLICE", 0.02)
-    monkeypatch.setattr(room_api, "plan_html", lambda *_: "made")
+    monkeypatch.setattr(api, "plan_html", lambda *_: "made")
 
     def plan(job: jobs.Job, *_: object) -> None:
         *_, note_progress = _
         while job.id == endless.id:
             note_progress(1)
 
-    monkeypatch.setattr(room_api, "_plan", plan)
+    monkeypatch.setattr(api, "_plan", plan)
     room = SimpleNamespace(scenario=SimpleNamespace(plan=object()))  # at more nothing looks
     verdict = cast("Verdict", room)
     endless, short = (jobs.Job(name * 32, 1, NOBODY, state="done", verdict=verdict) for name in "ab")

@@ -11,7 +11,7 @@ import pytest
 from serving import client_of, running
 
 import stayput as sp
-from stayput.app import room_api
+from stayput.app import api
 from stayput.app.presets import ROOM_SCENE
 from stayput.report.verdict.data import verdict_data
 from stayput.verification.room_words import people_in
@@ -114,7 +114,7 @@ def test_a_change_says_what_to_write_into_the_scene(room_client: httpx.Client, j
 def test_what_is_known_is_there_while_the_job_runs(
     room_client: httpx.Client, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    verify, seen = room_api.verify, []
+    verify, seen = api.verify, []
 
     def held(scenario: Any, *, on_verdict: Any, **more: Any) -> Verdict:
         def told(verdict: Verdict) -> None:
@@ -125,7 +125,7 @@ def test_what_is_known_is_there_while_the_job_runs(
         passed: list[Verdict] = []
         return verify(scenario, on_verdict=told, **more)
 
-    monkeypatch.setattr(room_api, "verify", held)
+    monkeypatch.setattr(api, "verify", held)
     job = room_client.post("/api/v1/room", json={"scene": ROOM}).json()
 
     def state() -> dict[str, Any]:
@@ -142,7 +142,7 @@ def test_what_is_known_is_there_while_the_job_runs(
 
 
 def test_a_room_that_is_cancelled_stops(room_client: httpx.Client, monkeypatch: pytest.MonkeyPatch) -> None:
-    verify = room_api.verify
+    verify = api.verify
     began: list[Any] = []
 
     def endless(scenario: Any, **more: Any) -> Any:
@@ -150,7 +150,7 @@ def test_a_room_that_is_cancelled_stops(room_client: httpx.Client, monkeypatch: 
         while True:
             verify(scenario, **more)
 
-    monkeypatch.setattr(room_api, "verify", endless)
+    monkeypatch.setattr(api, "verify", endless)
     job = room_client.post("/api/v1/room", json={"scene": ROOM}).json()
     wait_until(lambda: bool(began))
     assert room_client.delete(f"/api/v1/jobs/{job['id']}").json()["state"] == "cancelled"

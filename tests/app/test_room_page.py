@@ -23,7 +23,7 @@ from room_judge import (
     room_page,
 )
 
-from stayput.app.verdict_replies import VerdictReply
+from stayput.app.verification import VerdictReply
 
 if TYPE_CHECKING:
     import pytest

@@ -88,7 +88,8 @@ def planned(folder: Path, file: Path, scenario: str = CITY, columns: Any = None)
     from stayput.inventory.folder import Workspace
     from stayput.inventory.plan import REJECTED, make_plan
     from stayput.inventory.scenarios import read_scenarios
-    from stayput.inventory.store import Store, ground_of, piece_of
+    from stayput.inventory.store import Store, ground_of
+    from stayput.saved import from_text
 
     space = folder / "space"
     space.mkdir()
@@ -105,7 +106,9 @@ def planned(folder: Path, file: Path, scenario: str = CITY, columns: Any = None)
                 for unit, _, piece in store.units_at(site):
                     specs[unit], moved[unit] = piece, (ground_of(spec)[2] is not None, storey)
     first = [row["units"][0] for row in rows]
-    return Plan(rows, rejects, [piece_of(specs[unit])[0] for unit in first], facts, [moved[n] for n in first])
+    return Plan(
+        rows, rejects, [from_text(specs[unit])[0] for unit in first], facts, [moved[n] for n in first]
+    )
 
 
 def verified(

@@ -44,7 +44,7 @@ from stayput.verification.replays import floor_motion
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from stayput.app.replies import ShakingReply
+    from stayput.app.running import ShakingReply
 
 QUAKE = {"magnitude": 7.0, "distance": 20.0}
 LEAST = {"furniture": {"preset": "bookcase"}}

@@ -232,9 +232,9 @@ def test_pieces_narrower_than_deep_are_counted(tmp_path):
     text += "棚,30,450,1800,60\n棚,45,450,1800,60\n棚,?,450,1800,60\n棚,90,450,1800,60\n"
     *_, facts = read(tmp_path, text)
     assert facts["narrower than deep"] == 1
-    assert narrow_told(facts, "en").startswith("Narrower than deep: 1 row. They may fall sideways")
-    assert "奥行方向（前後）の揺れだけ" in narrow_told(facts, "ja")
-    assert narrow_told({"narrower than deep": 0}, "en") == ""
+    assert narrow_told(facts)[0].startswith("Narrower than deep: 1 row. They may fall sideways")
+    assert "奥行方向（前後）の揺れだけ" in narrow_told(facts)[1]
+    assert narrow_told({"narrower than deep": 0}) == ("", "")
 
 
 BAD_CELLS = {

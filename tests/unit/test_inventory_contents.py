@@ -12,7 +12,7 @@ from inventories import city, digests, rows_of_results, table, verified
 import stayput as sp
 from stayput.inventory import assess
 from stayput.inventory.items import contents_of
-from stayput.inventory.store import piece_of, piece_spec
+from stayput.saved import from_text, to_text
 from stayput.scenario import Scenario
 
 HEADER = "id,preset,contents,doors,drawers,lip,load,measures"
@@ -135,4 +135,4 @@ def test_what_cannot_be_inside_is_refused(unsaid, cells, message):
 )
 def test_a_spec_keeps_every_bit(inside):
     room = sp.Room(left_wall=sp.Wall(0.1))
-    assert piece_of(piece_spec(BODY, room, inside)) == (BODY, room, inside)
+    assert from_text(to_text((BODY, room, inside))) == (BODY, room, inside)

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from inventories import CITY, city, rows_of_results, table
 
+from stayput.catalogue import say
 from stayput.fragility.paired import difference
 from stayput.inventory import assess
 from stayput.inventory.report import UNTOLD, findings_told
@@ -175,7 +176,7 @@ def test_a_piece_that_never_overturns_needs_no_measure_where_the_runs_can_tell(
         page = done.report(language).read_text(encoding="utf-8")
         assert f'<td class="words">{cell}</td>' in page
         assert sentence in page
-        assert sentence in findings_told(total, language)
+        assert sentence in say(findings_told(total), language)
         assert (UNTOLD in page.partition('<div class="maps">')[2]) == (finding == "too_few_runs")
     for name in ("summary.csv", "rejects.csv"):  # by the mark a spreadsheet knows UTF-8
         assert (tmp_path / "out" / name).read_bytes().startswith(b"\xef\xbb\xbf")
@@ -201,7 +202,7 @@ def test_what_a_measure_helps_against_is_counted():
     for finding, event in (("helped", "slid"), ("helped", "overturned"), ("may_be_chance", "hit_wall")):
         total.add(row | {"finding": finding, "best_lessens": event})
     total.add(row | {"finding": "not_helped", "best_lessens": None})
-    english, japanese = (findings_told(total, language) for language in ("en", "ja"))
+    english, japanese = findings_told(total)
     assert "helps 4 pieces by more than chance (2 against overturning; 2 against sliding too far)" in english
     assert "For 2 pieces a measure does better (2 against hitting a wall), which may" in english
     assert "4点には、偶然の差を超えて効果のある対策があります（転倒の防止2点、移動の抑制2点）" in japanese

@@ -65,4 +65,4 @@ def test_a_roof_is_called_so(tmp_path):
 def test_a_map_leaves_no_basement_out_between():
     total = Total(rows=1, pieces=1)
     shown = storey_map({("a", -3): total, ("a", 1): total}, False)
-    assert [row["floor"] for row in shown["rows"]] == ["1F", "B1F", "B2F", "B3F"]
+    assert [row["floor"][0] for row in shown["rows"]] == ["1F", "B1F", "B2F", "B3F"]

@@ -184,14 +184,14 @@ def test_a_folder_in_which_a_table_was_refused_takes_the_mended_one(tmp_path):
 def test_a_table_that_changes_while_it_is_read_is_said(tmp_path, monkeypatch):
     inventory, scenario = table(tmp_path, pieces(4)), city(tmp_path, CITY.split("[[measures]]")[0])
     module = sys.modules["stayput.inventory.plan"]
-    fill = module._fill
+    opened = module.open_table
 
-    def replaced(*arguments):
+    def replaced(path):
         table(tmp_path, pieces(3))
-        fill(*arguments)
+        return opened(path)
 
     with monkeypatch.context() as patch:
-        patch.setattr(module, "_fill", replaced)
+        patch.setattr(module, "open_table", replaced)
         with pytest.raises(sp.InputError, match="was changed while it was read; give the command again"):
             assess(inventory, scenario, tmp_path / "out", progress=False)
     assert assess(inventory, scenario, tmp_path / "out", progress=False).facts["pieces"] == 3

@@ -2,53 +2,82 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import asdict, replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from fastapi import APIRouter, Form, Query, Request
+from fastapi import APIRouter, Depends, Form, Query, Request
+from pydantic import Field
 from starlette.responses import Response
 
 import stayput
-from stayput.app import replies, requests
-from stayput.app.downloads import attachment, film, report_page, run_csv, scene_toml
-from stayput.app.presets import presets
-from stayput.app.room_api import add_rooms
-from stayput.app.run_replies import SimulateReply
-from stayput.app.running import shaking_reply, simulated
+from stayput.app import requests  # noqa: TC001 - FastAPI reads the annotations
+from stayput.app.downloads import KINDS, attachment, film, report_page, run_csv, scene_toml
+from stayput.app.motions import MotionReply, PreviewReply
+from stayput.app.presets import PresetsReply, presets
+from stayput.app.refusals import RefusedError
+from stayput.app.replies import Reply
+from stayput.app.running import ShakingReply, SimulateReply, shaking_reply, simulated
 from stayput.app.service import OF_BODY, OF_JOB, Service, json_response, of_file, problems
-from stayput.app.turns import StoppedError
-from stayput.app.verdict_replies import EverydayReply, JobReply
-from stayput.app.verification import everyday_reply, runs_of, with_options
-from stayput.catalogue import Language  # noqa: TC001 - FastAPI reads the annotations
-from stayput.scenario import Scenario
+from stayput.app.turns import StoppedError, Turn
+from stayput.app.verification import EverydayReply, JobReply, everyday_reply, runs_of, with_options
+from stayput.catalogue import LANGUAGES, Language
+from stayput.errors import InputError
+from stayput.report.room.card import plan_html
+from stayput.rooms.decisions import changes_between
+from stayput.rooms.planning import action_plan
+from stayput.rooms.steps import Home
 from stayput.scenario.toml import table_of_toml
 from stayput.spreadsheets import CSV_ENCODING
 from stayput.verification import verify
 from stayput.verification.compare import LEVELS
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from stayput.app.jobs import Job
     from stayput.execution import Stop
+    from stayput.rooms.steps import ActionPlan
     from stayput.scenario import Scenario
+    from stayput.verification import Verdict
 
 ComponentQuery = Annotated[str | None, Query(max_length=60, description="Channel that is to be x.")]
 
 Which = Annotated[Literal["without", "with"], Query()]
 """Which run of a scene is meant, without or with the measures."""
 
+AskedHome = Annotated[Home, Depends()]
+"""What the home of a plan is like, by the query."""
+
+
+class PingReply(Reply):
+    """Whether the server is there."""
+
+    status: Literal["ok"] = "ok"
+    ready: bool = Field(description="Whether everything is compiled.")
+    version: str
+
+
+class SceneReply(Reply):
+    """A scenario file as a scene."""
+
+    scene: dict[str, Any]
+    pieces: list[str] = Field(description="What its pieces are called, where it is of several; else none.")
+
+
+class PlanProgressReply(Reply):
+    """How far a plan to buy and do has come."""
+
+    made: bool = Field(description="Whether it is there, and comes at once.")
+    runs: int = Field(description="Runs of pieces made for it so far.")
+
 
 def api(service: Service) -> APIRouter:
     """Return the routes under /api/v1."""
     router = APIRouter(prefix="/api/v1")
-    parts = (
-        ("general", _add_general),
-        ("runs", _add_runs),
-        ("verification", _add_jobs),
-        ("verification", add_rooms),
-        ("motions", _add_motions),
-    )
-    for tag, add in parts:
+    parts = {"general": _add_general, "runs": _add_runs, "verification": _add_jobs, "motions": _add_motions}
+    for tag, add in parts.items():
         routes = APIRouter(tags=[tag])
         add(routes, service)
         router.include_router(routes)
@@ -56,12 +85,12 @@ def api(service: Service) -> APIRouter:
 
 
 def _add_general(router: APIRouter, service: Service) -> None:
-    @router.get("/ping", response_model=replies.PingReply)
+    @router.get("/ping", response_model=PingReply)
     async def ping() -> Response:
         """Say whether the server is there."""
-        return json_response(replies.PingReply(ready=service.ready, version=stayput.__version__))
+        return json_response(PingReply(ready=service.ready, version=stayput.__version__))
 
-    @router.get("/presets", response_model=replies.PresetsReply, responses=problems(503))
+    @router.get("/presets", response_model=PresetsReply, responses=problems(503))
     async def all_presets() -> Response:
         """Return everything that can be chosen."""
         return await service.workers.run(lambda: json_response(presets(service.limits)))
@@ -76,14 +105,14 @@ def _add_general(router: APIRouter, service: Service) -> None:
 
         return await service.workers.run(work)
 
-    @router.post("/scenario/read", response_model=replies.SceneReply, responses=problems(*OF_BODY))
+    @router.post("/scenario/read", response_model=SceneReply, responses=problems(*OF_BODY))
     async def read(body: requests.ReadRequest) -> Response:
         """Return a scenario file as a scene."""
 
         def work() -> Response:
             checked = service.scene(table_of_toml(body.toml, Path(body.name)))
             pieces = () if checked.alone else checked.names
-            return json_response(replies.SceneReply(scene=checked.stated_keys(), pieces=list(pieces)))
+            return json_response(SceneReply(scene=checked.stated_keys(), pieces=list(pieces)))
 
         return await service.workers.run(work)
 
@@ -147,7 +176,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
 
         return await service.while_awaited(service.slow, request, work)
 
-    @router.post("/shaking", response_model=replies.ShakingReply, responses=problems(*OF_BODY))
+    @router.post("/shaking", response_model=ShakingReply, responses=problems(*OF_BODY))
     async def strength(body: requests.SceneRequest) -> Response:
         """Return how strongly the ground shakes in a scene, as a JMA intensity with its scatter."""
         return await service.workers.run(lambda: json_response(shaking_reply(service.shaken(body.scene))))
@@ -167,6 +196,18 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
         scenario, levels, runs = await service.workers.run(prepare)
         return service.begun(partial(verify, levels=levels), body, scenario, runs)
 
+    @router.post("/room", status_code=202, response_model=JobReply, responses=problems(*OF_BODY, 429))
+    async def start_room(body: requests.RoomRequest) -> Response:
+        """Begin the verification of a room: it goes on as a job, whose result gets better while it runs."""
+
+        def prepare() -> tuple[Scenario, int, Scenario | None]:
+            scenario = service.room(body.scene)
+            runs = runs_of(scenario, service.limits)
+            return scenario, runs, None if body.before is None else service.before(body.before, scenario)
+
+        scenario, runs, before = await service.workers.run(prepare)
+        return service.begun(partial(verify, changes=body.changes), body, scenario, runs, before)
+
     @router.get("/jobs/{name}", response_model=JobReply, responses=problems(404, 422, 503))
     async def get_job(name: requests.Name) -> Response:
         """Return how a job stands, and its verdict once it is done."""
@@ -184,9 +225,9 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     @router.put("/jobs/{name}/everyday", response_model=EverydayReply, responses=refusals)
     async def put_everyday(name: requests.Name, body: requests.SceneRequest) -> Response:
         """Put another scene's everyday use into a verdict that is done, whose runs it has no part in."""
-        service.verdict(name)
+        service.done(name, of_room=False)
         scenario = await service.workers.run(service.lone_piece, body.scene)
-        job, verdict = service.verdict(name)
+        job, verdict = service.done(name, of_room=False)
         same = verdict.scenario.model_copy(update={"everyday": scenario.everyday})
         changed = replace(verdict, scenario=same)
         job.verdict, job.reports = changed, {}
@@ -214,25 +255,84 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
         file = "stayput_ranking.csv" if verdict.scenario.plan is None else "stayput_room.csv"
         return await service.workers.run(lambda: attachment(verdict.to_csv().encode(CSV_ENCODING), file))
 
+    _add_plans(router, service)
+
+
+def _add_plans(router: APIRouter, service: Service) -> None:
+    @router.get("/jobs/{name}/plan", **of_file(OF_JOB, "text/html"))
+    async def plan(
+        request: Request, name: requests.Name, home: AskedHome, lang: Annotated[Language, Query()] = "en"
+    ) -> Response:
+        """Return what to buy and do in the room of a job: one page to print."""
+        job, verdict = service.done(name, of_room=True)
+        reports, key = job.reports, f"{lang} {home}"
+
+        def work(left: Stop) -> Response:
+            def note_progress(runs: int) -> None:
+                job.plan_runs[str(home)] += runs
+                turn.go_on()
+
+            if key not in reports:
+                job.plan_runs[str(home)] = 0
+                with Turn(service.turns, lambda: not left.is_set()) as turn:
+                    made = _plan(job, verdict, home, service.limits.threads, note_progress)
+                for language in LANGUAGES:  # the page's language may be changed
+                    reports[f"{language} {home}"] = plan_html(made, language).encode("utf-8")
+            return Response(reports[key], headers=KINDS[".html"])
+
+        return await service.while_awaited(service.planners, request, work)
+
+    refusals = problems(404, 409, 422)
+
+    @router.get("/jobs/{name}/plan/progress", response_model=PlanProgressReply, responses=refusals)
+    async def progress(name: requests.Name, home: AskedHome) -> Response:
+        """Return how far a plan has come that another request is waiting for, or whether it is there."""
+        job, _ = service.done(name, of_room=True)
+        made = f"{LANGUAGES[0]} {home}" in job.reports
+        return json_response(PlanProgressReply(made=made, runs=job.plan_runs.get(str(home), 0)))
+
+
+def _plan(
+    job: Job, verdict: Verdict, home: Home, threads: int | None, on_progress: Callable[[int], None]
+) -> ActionPlan:
+    """Return the plan of a room; changes that are tried in it are its steps.
+
+    Raises
+    ------
+    RefusedError
+        The room cannot have been as it is said to have been before these changes.
+    """
+    before = home.of(verdict.scenario if job.before is None else job.before)
+    try:
+        return action_plan(
+            replace(verdict, scenario=before),
+            decided=changes_between(before, verdict.scenario),
+            **asdict(home),
+            threads=threads,
+            progress=False,
+            on_progress=on_progress,
+        )
+    except InputError as error:
+        if job.before is None:
+            raise
+        sentences = error.told("en"), error.told("ja")
+        raise RefusedError(422, InputError("app.before_refused", "before", why=sentences)) from None
+
 
 def _add_motions(router: APIRouter, service: Service) -> None:
-    @router.post(
-        "/motions", status_code=201, response_model=replies.MotionReply, responses=problems(*OF_BODY, 429)
-    )
+    @router.post("/motions", status_code=201, response_model=MotionReply, responses=problems(*OF_BODY, 429))
     async def add(upload: Annotated[requests.Upload, Form(media_type="multipart/form-data")]) -> Response:
         """Upload a record; it is kept for a while under the id that is returned."""
         stored = await service.motions.add(upload)
         return await service.workers.run(lambda: json_response(service.motions.about(stored), 201))
 
-    @router.get("/motions/{name}", response_model=replies.MotionReply, responses=problems(404, 422, 503))
+    @router.get("/motions/{name}", response_model=MotionReply, responses=problems(404, 422, 503))
     async def about(name: requests.Name, component: ComponentQuery = None) -> Response:
         """Return what is known of an uploaded motion."""
         stored = await service.motions.with_component(name, component)
         return await service.workers.run(lambda: json_response(service.motions.about(stored)))
 
-    @router.get(
-        "/motions/{name}/preview", response_model=replies.PreviewReply, responses=problems(404, 422, 503)
-    )
+    @router.get("/motions/{name}/preview", response_model=PreviewReply, responses=problems(404, 422, 503))
     async def preview(name: requests.Name, component: ComponentQuery = None) -> Response:
         """Return the outline of an uploaded motion."""
         stored = await service.motions.with_component(name, component)

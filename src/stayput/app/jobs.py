@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from stayput.scenario import Scenario
     from stayput.verification import Verdict
 
-    JobWork = Callable[[Callable[[int, int], None], Callable[[Verdict], None]], Verdict]
+    JobWork = Callable[..., Verdict]
 
 JobState = Literal["waiting", "running", "done", "cancelled", "failed"]
 _log = logging.getLogger("stayput.app")
@@ -126,8 +126,8 @@ class Jobs:
         Parameters
         ----------
         work : callable
-            Does it; called with a function that takes its progress, waits there for the job's turn, and
-            raises when it is to stop, and with one that takes what is known of the verdict.
+            Does it; called with ``on_progress``, which takes its progress, waits there for the job's turn,
+            and raises when it is to stop, and with ``on_verdict``, which takes what is known of the verdict.
         total : int
             About how many simulations there are.
         motions : frozenset of str
@@ -201,8 +201,7 @@ class Jobs:
         """Stop all jobs."""
         with self._lock:
             for job in self._jobs.values():
-                job.stop.set()
-                job.turn.leave()
+                self._cancel(job)
 
     def _run(self, job: Job, work: JobWork) -> None:
         def note_verdict(verdict: Verdict) -> None:
@@ -219,7 +218,7 @@ class Jobs:
                 with self._lock:
                     if job.ended is None:
                         job.state = "running"
-                verdict = work(note_progress, note_verdict)
+                verdict = work(on_progress=note_progress, on_verdict=note_verdict)
         except StoppedError:
             self._end(job, "cancelled")
         except (RefusedError, InputError) as error:
@@ -243,7 +242,7 @@ class Jobs:
                 job.state = state
 
     def _cancel(self, job: Job) -> None:
-        """Let a job that has not ended be cancelled."""
+        """Let a job be cancelled, where it has not ended."""
         job.stop.set()
         job.turn.leave()
         self._end(job, "cancelled")

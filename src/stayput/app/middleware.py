@@ -127,7 +127,8 @@ class Guard:
         try:
             await self._app(scope, counted, answer)
         except RefusedError as refusal:
-            await refusal.response()(scope, receive, answer)
+            response = error_response(refusal.status_code, refusal.error, refusal.headers)
+            await response(scope, receive, answer)
         except ClientDisconnect:
             return
         except Exception:

@@ -20,10 +20,11 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from pydantic import Field
 
 from stayput.app.reader import ReadingResult, ReadingTask
 from stayput.app.refusals import RefusedError, problem, refused
-from stayput.app.replies import ChannelReply, MotionReply, PreviewReply
+from stayput.app.replies import Problem, Reply
 from stayput.app.requests import ID
 from stayput.app.turns import CLIENT, Client, Workers, first_to_go
 from stayput.errors import InputError
@@ -139,6 +140,44 @@ def intensity_of(motion: Motion) -> float | None:
 def class_of(intensity: float | None) -> str | None:
     """Return the class of an intensity, if it has one."""
     return None if intensity is None else intensity_class(intensity)
+
+
+class ChannelReply(Reply):
+    """A channel of an uploaded file."""
+
+    name: str = Field(description="What chooses it.")
+    vertical: bool
+    used: bool = Field(description="Whether it is the one along the shaking, x.")
+
+
+class MotionReply(Reply):
+    """An uploaded motion."""
+
+    id: str
+    name: str
+    source: str
+    synthetic: bool
+    duration_s: float
+    dt_s: float
+    samples: int
+    components: list[str]
+    channels: list[ChannelReply]
+    pga_m_s2: float
+    pgv_m_s: float
+    intensity: float | None
+    intensity_class: str | None
+    expires_in_s: float
+    floor: str = Field(description="Upper floor of a building that it was recorded on; empty otherwise.")
+    warnings: list[Problem] = Field(description="What is doubtful about the file.")
+    shaking: dict[str, Any] = Field(description="What a scene's shaking says to use it.")
+
+
+class PreviewReply(Reply):
+    """A motion's outline: extremes of the acceleration in each piece of time."""
+
+    time_s: list[float]
+    low_m_s2: list[float]
+    high_m_s2: list[float]
 
 
 class Motions:

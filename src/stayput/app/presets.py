@@ -6,10 +6,11 @@ import math
 from dataclasses import MISSING
 from typing import TYPE_CHECKING, Any, Literal
 
+from pydantic import Field
+
 import stayput
-from stayput.app import replies
 from stayput.app.downloads import film_kinds
-from stayput.app.replies import Words
+from stayput.app.replies import Reply, TwoNumbers, Words
 from stayput.building.building import STOREY_HEIGHT, STRUCTURES
 from stayput.catalogue import names, phrase
 from stayput.errors import InputError
@@ -69,45 +70,170 @@ SCENE_MEASURES: list[dict[str, Any]] = [{"type": "l_bracket"}]
 """Measures to begin with."""
 
 NUMBERS = {
-    **{
-        f"furniture.{name}": parameter_of(Body, name)
-        for name in ("width", "height", "length", "mass", "base")
-    },
-    "furniture.shelves": parameter_of(Part, "mass"),
-    **{f"room.left_wall.{name}": parameter_of(Wall, name) for name in ("gap", "construction")},
-    **{f"room.ceiling.{name}": parameter_of(Ceiling, name) for name in ("height", "construction")},
-    **{f"everyday.{name}": parameter_of(Everyday, name) for name in ("drawers", "load", "pull")},
-    "shaking.suite.count": parameter_of(synthetic_suite, "count"),
-    "shaking.pga": parameter_of(strength_of_pga, "pga"),
-    "shaking.pgv": parameter_of(strength_of_pgv, "pgv"),
-    "shaking.sa.period": parameter_of(strength_of_sa, "period"),
-    "shaking.sa.value": parameter_of(strength_of_sa, "value"),
-    "shaking.mmi": parameter_of(strength_of_mercalli, "mmi"),
-    **{f"shaking.earthquake.{about.name}": about for about in parameters_of(EarthquakeSource)},
-    **{f"plan.{name}": parameter_of(FloorPlan, name) for name in ("width", "length")},
-    **{f"doors.{name}": parameter_of(Door, name) for name in ("start", "width")},
-    **{f"windows.{name}": parameter_of(Window, name) for name in ("start", "width", "sill")},
-    **{
-        f"places.{name}": parameter_of(PersonPlace, name)
-        for name in ("width", "length", "low", "high", "day", "night")
-    },
-}
+    f"{table}.{name}": parameter_of(kind, name)
+    for table, kind, *names_there in (
+        ("furniture", Body, "width", "height", "length", "mass", "base"),
+        ("room.left_wall", Wall, "gap", "construction"),
+        ("room.ceiling", Ceiling, "height", "construction"),
+        ("everyday", Everyday, "drawers", "load", "pull"),
+        ("shaking.suite", synthetic_suite, "count"),
+        ("shaking", strength_of_pga, "pga"),
+        ("shaking", strength_of_pgv, "pgv"),
+        ("shaking.sa", strength_of_sa, "period", "value"),
+        ("shaking", strength_of_mercalli, "mmi"),
+        ("shaking.earthquake", EarthquakeSource, *(about.name for about in parameters_of(EarthquakeSource))),
+        ("plan", FloorPlan, "width", "length"),
+        ("doors", Door, "start", "width"),
+        ("windows", Window, "start", "width", "sill"),
+        ("places", PersonPlace, "width", "length", "low", "high", "day", "night"),
+    )
+    for name in names_there
+} | {"furniture.shelves": parameter_of(Part, "mass")}
 """Numbers and words of a scene, and of a room with a plan, that the pages ask for."""
 
 
-def presets(limits: Limits) -> replies.PresetsReply:
+class NamedReply(Reply):
+    """A name that is shown."""
+
+    id: str
+    label: Words
+
+
+class FurnitureReply(NamedReply):
+    """A preset of furniture."""
+
+    width_m: float
+    height_m: float
+    length_m: float = Field(description="Across its depth.")
+    mass_kg: float
+    carcass_mass_kg: float | None
+    shelves: int | None
+    drawers: int = Field(description="Drawers that can be open at once.")
+    base: str = Field(description="What bears on the floor; see `furniture.base` of the numbers.")
+    centre_of_gravity_m: TwoNumbers
+
+
+class SurfaceReply(NamedReply):
+    """A preset of a surface."""
+
+    static_friction: float
+    kinetic_friction: float
+
+
+class StructureReply(NamedReply):
+    """A structure of buildings."""
+
+    storey_height_m: float
+    damping: float
+    most_storeys: int
+
+
+class FamilyReply(NamedReply):
+    """A family of earthquakes."""
+
+    about: Words
+
+
+class IntensityReply(NamedReply):
+    """A class of JMA's intensity."""
+
+    from_: float | None = Field(serialization_alias="from", description="Where it begins.")
+    middle: float
+    about: Words = Field(description="What people meet.")
+    furniture: Words = Field(description="What it does to furniture.")
+
+
+class ParameterReply(Reply):
+    """What is known of a field: a measure's parameter, or a number of a scene."""
+
+    name: str
+    default: float | int | str | None
+    usual: float | None = Field(description="What it comes to in a usual room, where it has no default.")
+    unit: str
+    low: float
+    high: float
+    confidence: str
+    label: Words
+    choices: list[str]
+    whole: bool
+
+
+class MeasureReply(Reply):
+    """A kind of measure."""
+
+    type: str
+    label: Words
+    about: Words
+    place: str | None = Field(description="Two measures of one place exclude each other.")
+    needs: list[Literal["wall", "ceiling"]]
+    usual: bool
+    parameters: list[ParameterReply]
+
+
+class LimitsReply(Reply):
+    """What the server accepts."""
+
+    body_bytes: int
+    upload_bytes: int
+    duration_s: float
+    suite_count: int
+    samples: int
+    jobs_running: int
+    jobs_waiting: int
+    motions: int
+    storeys: int
+
+
+class PlaceReply(NamedReply):
+    """A common place of a person in a room."""
+
+    width_m: float
+    length_m: float
+    low_m: float = Field(description="Height above the floor from which the person is.")
+    high_m: float
+    day: float = Field(description="Share of the day in which somebody is there.")
+    night: float
+    blocks: bool = Field(description="Whether nobody walks there.")
+
+
+class PresetsReply(Reply):
+    """Everything that can be chosen."""
+
+    version: str
+    furniture: list[FurnitureReply]
+    surfaces: list[SurfaceReply]
+    contents: list[NamedReply]
+    doors: list[NamedReply]
+    structures: list[StructureReply]
+    families: list[FamilyReply]
+    intensities: list[IntensityReply]
+    measures: list[MeasureReply]
+    numbers: dict[str, ParameterReply] = Field(
+        description="Numbers and words of a scene by their dotted names."
+    )
+    outcomes: list[NamedReply]
+    events: list[NamedReply]
+    scene: dict[str, Any] = Field(description="A scene to begin with.")
+    measures_shown: list[dict[str, Any]]
+    places: list[PlaceReply]
+    room_scene: dict[str, Any] = Field(description="A room to begin with.")
+    films: list[str] = Field(description="The kinds of films that this server can make.")
+    limits: LimitsReply
+
+
+def presets(limits: Limits) -> PresetsReply:
     """Return everything that can be chosen."""
-    return replies.PresetsReply(
+    return PresetsReply(
         version=stayput.__version__,
         furniture=[_furniture(name, preset) for name, preset in FURNITURE.items()],
         surfaces=[
-            replies.SurfaceReply.from_attributes(surface, id=name, label=Words.of(names.SURFACES[name]))
+            SurfaceReply.from_attributes(surface, id=name, label=Words.of(names.SURFACES[name]))
             for name, surface in SURFACES.items()
         ],
         contents=_named(names.CONTENTS),
         doors=_named(names.DOORS),
         structures=[
-            replies.StructureReply(
+            StructureReply(
                 id=name,
                 label=Words.of(names.STRUCTURES[name]),
                 storey_height_m=STOREY_HEIGHT,
@@ -117,7 +243,7 @@ def presets(limits: Limits) -> replies.PresetsReply:
             for name, structure in STRUCTURES.items()
         ],
         families=[
-            replies.FamilyReply(id=name, label=Words.of(label), about=Words.of(about))
+            FamilyReply(id=name, label=Words.of(label), about=Words.of(about))
             for name, (label, about) in names.FAMILIES.items()
         ],
         intensities=[_intensity(name, start) for name, start in CLASSES],
@@ -128,22 +254,22 @@ def presets(limits: Limits) -> replies.PresetsReply:
         scene=SCENE,
         measures_shown=SCENE_MEASURES,
         places=[
-            replies.PlaceReply.from_attributes(place, id=name, label=Words.of(phrase(f"rooms.{name}")))
+            PlaceReply.from_attributes(place, id=name, label=Words.of(phrase(f"rooms.{name}")))
             for name, place in PLACES.items()
         ],
         room_scene=ROOM_SCENE,
         films=list(film_kinds()),
-        limits=replies.LimitsReply.from_attributes(limits),
+        limits=LimitsReply.from_attributes(limits),
     )
 
 
-def _named(labels: Mapping[str, Phrase]) -> list[replies.NamedReply]:
-    return [replies.NamedReply(id=name, label=Words.of(label)) for name, label in labels.items()]
+def _named(labels: Mapping[str, Phrase]) -> list[NamedReply]:
+    return [NamedReply(id=name, label=Words.of(label)) for name, label in labels.items()]
 
 
-def _furniture(name: str, preset: Preset) -> replies.FurnitureReply:
+def _furniture(name: str, preset: Preset) -> FurnitureReply:
     body = Body(preset.width, preset.height, preset.mass)
-    return replies.FurnitureReply.from_attributes(
+    return FurnitureReply.from_attributes(
         preset,
         id=name,
         label=Words.of(names.FURNITURE[name]),
@@ -153,8 +279,8 @@ def _furniture(name: str, preset: Preset) -> replies.FurnitureReply:
     )
 
 
-def _intensity(name: str, start: float) -> replies.IntensityReply:
-    return replies.IntensityReply(
+def _intensity(name: str, start: float) -> IntensityReply:
+    return IntensityReply(
         id=name,
         label=Words.of(names.INTENSITIES[name]),
         from_=start if math.isfinite(start) else None,
@@ -164,8 +290,8 @@ def _intensity(name: str, start: float) -> replies.IntensityReply:
     )
 
 
-def _measure(name: str, kind: type[Measure]) -> replies.MeasureReply:
-    return replies.MeasureReply(
+def _measure(name: str, kind: type[Measure]) -> MeasureReply:
+    return MeasureReply(
         type=name,
         label=Words.of(kind.label),
         about=Words.of(kind.about),
@@ -196,8 +322,8 @@ def _needs(kind: type[Measure]) -> list[Literal["wall", "ceiling"]]:
     return needed
 
 
-def _parameter(parameter: Parameter, usual: float | None = None) -> replies.ParameterReply:
-    return replies.ParameterReply.from_attributes(
+def _parameter(parameter: Parameter, usual: float | None = None) -> ParameterReply:
+    return ParameterReply.from_attributes(
         parameter,
         default=None if parameter.default is MISSING else parameter.default,
         usual=usual,

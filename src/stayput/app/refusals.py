@@ -56,10 +56,6 @@ class RefusedError(HTTPException):
         super().__init__(status, str(error), headers)
         self.error = error
 
-    def response(self) -> Response:
-        """Return the answer."""
-        return error_response(self.status_code, self.error, self.headers)
-
 
 def refused(
     status: int, code: str, field: str | None = None, *, retry_after: int | None = None, **values: Any

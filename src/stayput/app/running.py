@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
+from pydantic import Field
 
-from stayput.app import run_replies
 from stayput.app.motions import class_of, intensity_of
 from stayput.app.refusals import RefusedError, refused
-from stayput.app.replies import ShakingReply, Words
+from stayput.app.replies import Reply, TwoNumbers, Words
 from stayput.catalogue import phrase
 from stayput.catalogue.names import ANY_PIECE
 from stayput.errors import InputError
@@ -52,6 +52,136 @@ HITS = {"floor": EventKind.FLOOR_IMPACT, "ceiling": EventKind.CEILING_IMPACT} | 
 
 ALIKE = 0.05
 """A standard deviation of intensities that is not mentioned."""
+
+
+class EventReply(Reply):
+    """What happened to a piece at an instant."""
+
+    time_s: float
+    kind: str
+    piece: int = Field(description="Its number, from 0 on.")
+
+
+class DeviceReply(Reply):
+    """What became of a device."""
+
+    kind: str
+    label: Words
+    name: str
+    peak_pull_n: float
+    peak_push_n: float
+    peak_shear_n: float
+    utilisation: float | None
+    failed: bool
+    failure_time_s: float | None
+    cause: str | None
+    weakest: Words | None = Field(description="What gave way, or would first.")
+    pull_n: list[float] = Field(description="At the poses.")
+    shear_n: list[float]
+
+
+class FateReply(Reply):
+    """What became of a piece, or of the one that fared worst."""
+
+    outcome: str
+    overturned: bool | None
+    overturn_time_s: float | None
+
+
+class PieceReply(FateReply):
+    """What became of one piece."""
+
+    name: str
+    fell_off: bool | None = Field(description="Whether it came off what it stood on.")
+    fall_time_s: float | None
+    peak_tilt_rad: float | None = Field(description="Largest angle to how it stood, in any direction.")
+    peak_slide_m: float | None = Field(description="Farthest from where it stood, in plan.")
+    residual_tilt_rad: float | None
+    residual_slide_m: TwoNumbers | None = Field(description="Along x and y, until it fell.")
+    residual_yaw_rad: float | None = Field(description="Turn about the vertical, at the end.")
+    floor_impacts: int
+    wall_impacts: int
+    impacts_on_bodies: int
+
+
+class RunReply(FateReply):
+    """What became of the pieces of a run, and when the first one overturned."""
+
+    sentence: Words
+    pieces: list[PieceReply]
+    events: list[EventReply] = Field(
+        description="In the plane all; in space when each piece first slides, lifts an edge and overturns, "
+        "and first hits on the room."
+    )
+    events_total: int = Field(description="How many there were.")
+    events_cut: bool = Field(description="Whether only some are listed: in the plane the first and the last.")
+    devices: list[DeviceReply]
+    scene: dict[str, Any] = Field(
+        description="Bodies and room, as the method `data` of `stayput.report.film.scene.FilmScene` "
+        "describes them; long histories are the base 64 of 32-bit floating-point numbers, least byte first."
+    )
+
+
+class MotionOfRun(Reply):
+    """The motion under the furniture, and the ground's intensity."""
+
+    name: str
+    synthetic: bool
+    duration_s: float
+    dt_s: float
+    pga_m_s2: float
+    pgv_m_s: float
+    ground_intensity: float | None
+    ground_class: str | None
+    floor_intensity: float | None
+    floor_class: str | None
+
+
+class BuildingReply(Reply):
+    """The building between the ground and the furniture."""
+
+    storeys: int
+    storey: int
+    structure: str | None
+    ground_x_m: list[float] = Field(description="Displacement of the ground, as the floor's.")
+    roof_x_m: list[float] = Field(description="Displacement of the roof, as the floor's.")
+
+
+class HitReply(Reply):
+    """A piece that comes into the place of a person."""
+
+    piece: str
+    place: str
+
+
+class RunInRoomReply(Reply):
+    """What happens to people, doors and ways out in a run of a room."""
+
+    hits: list[HitReply]
+    blocked: list[str] = Field(description="Doors that are blocked at the end.")
+    shut_in: list[str] = Field(description="Places from which no way leads out at the end.")
+
+
+class SimulateReply(Reply):
+    """A scene run without and with measures, or several pieces."""
+
+    engine: Literal["plane", "space"]
+    motion: MotionOfRun
+    floor: dict[str, Any] = Field(description="How the floor moves, of the same form as the runs' scenes.")
+    building: BuildingReply | None
+    in_room: RunInRoomReply | None = Field(default=None, description="Of a room: what happens in it.")
+    without: RunReply
+    with_: RunReply | None = Field(default=None, serialization_alias="with")
+
+
+class ShakingReply(Reply):
+    """How strongly the ground shakes in a scene: the motions as strong as a verification has them."""
+
+    intensity: float = Field(description="Median JMA intensity of the motions.")
+    deviation: float = Field(description="Standard deviation of their JMA intensities.")
+    intensity_class: str | None
+    sentence: Words = Field(description="The same in words.")
+    about: Words | None = Field(description="What was stated, and the source of what it amounts to.")
 
 
 def own_measures(scenario: Scenario) -> tuple[Measure, ...]:
@@ -95,7 +225,7 @@ def runs_of(scenario: Scenario, *sets: tuple[Measure, ...], sample: int | None =
     return runs
 
 
-def simulated(scenario: Scenario, sample: int | None = None) -> run_replies.SimulateReply:
+def simulated(scenario: Scenario, sample: int | None = None) -> SimulateReply:
     """Run a scene: one piece without and with the user's measures, or several pieces.
 
     Raises
@@ -115,7 +245,7 @@ def simulated(scenario: Scenario, sample: int | None = None) -> run_replies.Simu
         _run_reply(run, scene.time, scene_data)
         for run, scene, scene_data in zip(runs, scenes, data, strict=True)
     ]
-    reply = run_replies.SimulateReply(
+    reply = SimulateReply(
         engine=runs[0].engine,
         motion=_motion_of_run(ground, runs[0].motion),
         floor=floor,
@@ -125,21 +255,21 @@ def simulated(scenario: Scenario, sample: int | None = None) -> run_replies.Simu
     )
     if scenario.plan is not None:
         hits, blocked, shut_in = happens_in(runs[0])
-        each = [run_replies.HitReply(piece=piece, place=place) for piece, place in hits]
-        reply.in_room = run_replies.RunInRoomReply(hits=each, blocked=[*blocked], shut_in=[*shut_in])
+        each = [HitReply(piece=piece, place=place) for piece, place in hits]
+        reply.in_room = RunInRoomReply(hits=each, blocked=[*blocked], shut_in=[*shut_in])
     return reply
 
 
-def _run_reply(run: Run, times: NDArray[np.float64], scene: dict[str, Any]) -> run_replies.RunReply:
+def _run_reply(run: Run, times: NDArray[np.float64], scene: dict[str, Any]) -> RunReply:
     """Return what became of the pieces of a run, with the scene that shows it at some times [s]."""
     pieces, events = piece_results(run), _events(run)
     total = len(events) + sum(run.unlisted.values())
-    return run_replies.RunReply(
+    return RunReply(
         outcome=run.outcome.value,
         sentence=Words.of(sentences_of_piece(run)),
         overturned=any(p.overturned for p in run.pieces),
         overturn_time_s=min((p.overturn_time for p in run.pieces if p.overturned), default=None),
-        pieces=[run_replies.PieceReply(**piece) for piece in pieces],
+        pieces=[PieceReply(**piece) for piece in pieces],
         events=events[:MOST_EVENTS],
         events_total=total,
         events_cut=total > MOST_EVENTS,
@@ -148,10 +278,10 @@ def _run_reply(run: Run, times: NDArray[np.float64], scene: dict[str, Any]) -> r
     )
 
 
-def _motion_of_run(ground: Motion, motion: Motion) -> run_replies.MotionOfRun:
+def _motion_of_run(ground: Motion, motion: Motion) -> MotionOfRun:
     """Return the motion under the furniture, beside that of the ground."""
     ground_intensity, floor_intensity = intensity_of(ground), intensity_of(motion)
-    return run_replies.MotionOfRun.from_attributes(
+    return MotionOfRun.from_attributes(
         motion,
         ground_intensity=ground_intensity,
         ground_class=class_of(ground_intensity),
@@ -162,7 +292,7 @@ def _motion_of_run(ground: Motion, motion: Motion) -> run_replies.MotionOfRun:
 
 def _building_reply(
     shaking: ShakingTable, ground: Motion, times: NDArray[np.float64], scale: float
-) -> run_replies.BuildingReply | None:
+) -> BuildingReply | None:
     """Return how the building of a scene moves in a picture, if there is one.
 
     Parameters
@@ -181,7 +311,7 @@ def _building_reply(
         return None
     structure = None if table.masses is not None else table.structure or "RC"
     roof = table.building().floor_motion(ground, table.highest())
-    return run_replies.BuildingReply(
+    return BuildingReply(
         storeys=table.highest() - 1,
         storey=storey,
         structure=structure,
@@ -201,7 +331,7 @@ def _device(device: DeviceResult, run: Run, times: NDArray[np.float64]) -> Any:
     return {**device_results(device), "name": place_called(device, run.names), **at_poses}
 
 
-def _events(run: Run) -> list[run_replies.EventReply]:
+def _events(run: Run) -> list[EventReply]:
     """Return the events of a run in order.
 
     In space: when each piece first slides and lifts an edge, its hits on the room, and when it overturns.
@@ -219,7 +349,7 @@ def _events(run: Run) -> list[run_replies.EventReply]:
             events += [(time, kind, number) for kind, time in first.items() if not math.isnan(time)]
         events.sort(key=lambda event: event[0])
     return [
-        run_replies.EventReply(time_s=round(time, TIME_DIGITS), kind=kind.value, piece=piece)
+        EventReply(time_s=round(time, TIME_DIGITS), kind=kind.value, piece=piece)
         for time, kind, piece in events
     ]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import re
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, cast
 
 from stayput.app.refusals import RefusedError, refused
@@ -108,6 +109,14 @@ def uploaded_motions(scenario: Scenario) -> frozenset[str]:
     """Return the uploaded motions that a scene reads."""
     shaking = scenario.shaking
     return frozenset(name for key in RECORD_FILES if isinstance(name := getattr(shaking, key), str))
+
+
+def unchanged(scenario: Scenario) -> dict[str, object]:
+    """Return what changes leave as it is: all but where pieces and people are, and measures."""
+    moved = {"at", "heading", "against", "along", "gap", "measures"}
+    same = scenario.model_dump(exclude={"title": True, "places": True, "furniture": {"__all__": moved}})
+    places = [replace(place.place(), at=(0.0, 0.0), heading=0.0) for place in scenario.places]
+    return {**same, "places": places}
 
 
 def refusal(error: InputError, beside: bool = False) -> RefusedError:

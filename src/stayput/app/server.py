@@ -120,12 +120,11 @@ def _add_refusals(app: FastAPI, with_file_names: Callable[[str], str]) -> None:
     """Let every refusal be one sentence, without the server's own paths, and a field."""
 
     async def refused(_request: Request, error: Exception) -> Response:
+        if isinstance(error, InputError):
+            error = RefusedError(422, error.about(None))
         refusal = cast("RefusedError", error)
         plain = refusal.error.rewritten(with_file_names)
         return error_response(refusal.status_code, plain, refusal.headers)
-
-    async def input_refused(_request: Request, error: Exception) -> Response:
-        return error_response(422, cast("InputError", error).rewritten(with_file_names))
 
     async def invalid(_request: Request, error: Exception) -> Response:
         first = cast("RequestValidationError", error).errors()[0]
@@ -142,7 +141,7 @@ def _add_refusals(app: FastAPI, with_file_names: Callable[[str], str]) -> None:
         return error_response(exception.status_code, error, exception.headers)
 
     app.add_exception_handler(RefusedError, refused)
-    app.add_exception_handler(InputError, input_refused)
+    app.add_exception_handler(InputError, refused)
     app.add_exception_handler(RequestValidationError, invalid)
     app.add_exception_handler(HTTPException, http)
 

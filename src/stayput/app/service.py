@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import tempfile
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -11,9 +12,9 @@ from starlette.responses import Response
 
 from stayput.app.jobs import Jobs
 from stayput.app.motions import Motions, Readers
-from stayput.app.refusals import refused
+from stayput.app.refusals import RefusedError, refused
 from stayput.app.replies import Problem, Reply
-from stayput.app.scenes import read_scene, short_enough, uploaded_motions
+from stayput.app.scenes import read_scene, short_enough, unchanged, uploaded_motions
 from stayput.app.turns import StoppedError, Turns, Workers
 from stayput.app.verification import job_reply
 from stayput.catalogue import phrase
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
     from stayput.app.jobs import Job
     from stayput.app.limits import Limits
     from stayput.app.requests import VerificationRequest
-    from stayput.app.verdict_replies import JobReply
+    from stayput.app.verification import JobReply
     from stayput.scenario import Scenario
     from stayput.verification import Verdict
 
@@ -172,6 +173,26 @@ class Service:
             raise refused(422, "scenario.missing", "scene.plan", allowed=phrase("rooms.no_plan"))
         return scenario
 
+    def before(self, data: dict[str, Any], scenario: Scenario) -> Scenario:
+        """Make a scenario of a room before the changes that are tried in it.
+
+        Raises
+        ------
+        RefusedError
+            What is wrong with it; one that differs in more than what changes change.
+        """
+        try:
+            before = self.room(data)
+        except RefusedError as refused_scene:
+            error = refused_scene.error
+            field = error.field and error.field.replace("scene", "before", 1)
+            raise RefusedError(refused_scene.status_code, error.about(field)) from None
+        asked = unchanged(scenario)
+        others = [name for name, value in unchanged(before).items() if value != asked[name]]
+        if others:
+            raise refused(422, "app.another_room", "before", others=", ".join(others))
+        return before
+
     def reply_of(self, job: Job) -> JobReply:
         """Return how a job stands."""
         return job_reply(job, self.motions.with_file_names)
@@ -197,43 +218,31 @@ class Service:
         runs, before
             As ``total`` and ``before`` of `Jobs.start`.
         """
-
-        def work(on_progress: Callable[[int, int], None], on_verdict: Callable[[Verdict], None]) -> Verdict:
-            return verification(
-                scenario,
-                slide_limit=body.slide_limit_m,
-                threads=self.limits.threads,
-                progress=False,
-                on_progress=on_progress,  # which stops it by an exception
-                on_verdict=on_verdict,
-            )
-
+        options = {"slide_limit": body.slide_limit_m, "threads": self.limits.threads, "progress": False}
+        work = partial(verification, scenario, **options)
         job = self.jobs.start(work, runs, uploaded_motions(scenario), body.lease_s, before)
         return json_response(self.reply_of(job), 202, {"Location": f"/api/v1/jobs/{job.id}"})
 
-    def done(self, name: str) -> tuple[Job, Verdict]:
+    def done(self, name: str, *, of_room: bool | None = None) -> tuple[Job, Verdict]:
         """Return a job that is done, and its verdict.
 
+        Parameters
+        ----------
+        name : str
+            The job.
+        of_room : bool, optional
+            Whether it must be, or must not be, of a room.
+
         Raises
         ------
         RefusedError
-            There is no such job, or it has no verdict yet.
+            There is no such job, it has no verdict yet, or one of another kind.
         """
         job = self.jobs.get(name)
-        if job.state != "done" or job.verdict is None:
+        verdict = job.verdict if job.state == "done" else None
+        if verdict is None or (of_room and verdict.scenario.plan is None):
             raise refused(409, "app.no_report_yet", state=job.state)
-        return job, job.verdict
-
-    def verdict(self, name: str) -> tuple[Job, Verdict]:
-        """Return a job of the verification of one piece that is done, and its verdict.
-
-        Raises
-        ------
-        RefusedError
-            There is no such job, it has no verdict yet, or it is of a room.
-        """
-        job, verdict = self.done(name)
-        if verdict.scenario.plan is not None:
+        if of_room is False and verdict.scenario.plan is not None:
             raise refused(409, "app.of_a_room")
         return job, verdict
 

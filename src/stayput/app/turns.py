@@ -14,8 +14,7 @@ from contextvars import ContextVar
 from typing import TYPE_CHECKING, NamedTuple, ParamSpec, Protocol, TypeVar
 from weakref import WeakValueDictionary
 
-from stayput.app.refusals import RefusedError, refused, unprinted
-from stayput.errors import InputError
+from stayput.app.refusals import refused, unprinted
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection
@@ -164,7 +163,7 @@ class Workers:
         Raises
         ------
         RefusedError
-            Too much is waiting, or the input is refused.
+            Too much is waiting.
         """
 
         def quietly() -> T:
@@ -180,8 +179,6 @@ class Workers:
         try:
             async with of_client, self._free:
                 return await asyncio.get_running_loop().run_in_executor(self._pool, quietly)
-        except InputError as error:
-            raise RefusedError(422, error.about(None)) from None
         except MemoryError:
             raise refused(503, "app.little_memory") from None
         finally:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import base64
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
+from pydantic import ConfigDict, Field
 
 from stayput.app.refusals import problem
-from stayput.app.replies import Words
+from stayput.app.replies import Problem, Reply, Words
 from stayput.app.running import own_measures
-from stayput.app.scenes import motions_of, too_many
-from stayput.app.verdict_replies import EverydayReply, JobReply, VerdictReply, ZoneReply
+from stayput.app.scenes import motions_of, refusal, too_many
+from stayput.errors import InputError
 from stayput.fragility.curve import METHOD, CurveState
 from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures import hold
@@ -41,6 +42,132 @@ if TYPE_CHECKING:
 
 CURVE_POINTS = 91
 """Intensities at which a curve is sent, over what was run: ten from level to level."""
+
+
+class PartReply(Reply):
+    """A part of a verdict, with all that the verdict's JSON file says of it."""
+
+    model_config = ConfigDict(extra="allow")
+
+
+class ShareReply(PartReply):
+    """A probability with its 95 % interval, or a change of one."""
+
+    estimate: float | None
+    low: float | None
+    high: float | None
+
+
+class CurveReply(Reply):
+    """Probability of overturning over the ground's JMA intensity; no band where there was one motion."""
+
+    state: str
+    method: str
+    text: str
+    intensity: list[float]
+    probability: list[float] | None
+    low: list[float] | None
+    high: list[float] | None
+    observed: list[ShareReply] = Field(description="At the levels that were run, each an intensity `im`.")
+
+
+class ZoneReply(Reply):
+    """A share of the runs on each cell of the floor."""
+
+    nx: int
+    ny: int
+    shares: str = Field(description="Base 64 of bytes, 255 being 1: all y of the first x, then the next.")
+
+
+class PieceVerdictReply(PartReply):
+    """What becomes of a piece with an option."""
+
+    name: str
+    probabilities: dict[str, ShareReply]
+    falls: bool = Field(description="Whether it overturns so often that it is to be held.")
+    fell: ZoneReply | None = Field(
+        default=None, description="Where it lies in a room having overturned: its fall zone."
+    )
+    stood: ZoneReply | None = Field(
+        default=None, description="Where it ends there without having overturned: its slide zone."
+    )
+
+
+class ChangeReply(Reply):
+    """What an option changes of a room as it is."""
+
+    what: str
+    table: str = Field(description="Where it is in the scene: furniture or places.")
+    measures: list[dict[str, Any]] | None = Field(description="What is put on the piece, as in a scene.")
+    drilled: bool
+    at_m: list[float] | None
+    heading_rad: float | None
+
+
+class OptionReply(PartReply):
+    """One of the things that may be done."""
+
+    rank: int
+    name: str
+    label: Words
+    measures: list[dict[str, Any]] = Field(description="On all pieces, as a scene has them.")
+    reason: Words
+    asides: list[Words] = Field(
+        description="What comes out, and how often it overturns as people install it, where that is asked."
+    )
+    grade: str = Field(description="How well founded its numbers are: A, B or C; see grades.")
+    weakest: list[Words] = Field(description="The inputs of that grade.")
+    yours: bool
+    probabilities: dict[str, ShareReply]
+    overturned_change: ShareReply | None = Field(description="Less the probability without measures.")
+    pieces: list[PieceVerdictReply]
+    people: dict[str, Any] | None = Field(description="What happens to people in a room.")
+    changes: list[ChangeReply] = Field(default=[], description="What it changes of a room as it is.")
+    tags: list[Words] = Field(default=[], description="What is clearly better or worse with it in a room.")
+    helps: bool
+    curve: CurveReply | None
+
+
+class EverydayReply(Reply):
+    """What the piece withstands without an earthquake."""
+
+    sentence: Words = Field(description="The worst case.")
+    cases: list[dict[str, Any]] = Field(description="Moments about the front edge, least margin first.")
+
+
+class VerdictReply(PartReply):
+    """The outcome of a verification, the best option first."""
+
+    complete: bool = Field(description="Whether it is final; else samples or curves are still to come.")
+    verdict: Words
+    notes: list[Words] = Field(description="What must be said beside the numbers.")
+    grades: dict[str, Words] = Field(description="What each grade of inputs means.")
+    jma_intensity: float | None
+    motions: int
+    samples: int
+    runs: int
+    seconds: float
+    options: list[OptionReply]
+    not_possible: list[dict[str, Any]] = Field(description="Options that cannot be put in place, and why.")
+    estimates: dict[str, Any] | None = Field(
+        description="Of a lone piece, by formulas, without measures; `rows` are in words."
+    )
+    everyday: EverydayReply | None
+    cell_m: float | None = Field(description="Side of a cell of the floor of a room.")
+
+
+class JobReply(Reply):
+    """A verification that is under way or done."""
+
+    id: str
+    state: Literal["waiting", "running", "done", "cancelled", "failed"]
+    done: int
+    total: int
+    progress: float
+    seconds: float
+    position: int | None = Field(description="How many jobs have their turn before it, while it waits.")
+    error: Problem | None
+    result: VerdictReply | None = Field(description="As far as it is known; final once it is `complete`.")
 
 
 def with_options(scenario: Scenario, data: dict[str, Any], compare_usual: bool) -> Scenario:
@@ -78,23 +205,29 @@ def with_options(scenario: Scenario, data: dict[str, Any], compare_usual: bool) 
     return Scenario.parse({**data, "measures": [*tables.values()]}, scenario.folder)
 
 
-def runs_of(scenario: Scenario, limits: Limits, levels: int) -> int:
-    """Return how many simulations a verification makes at most.
+def runs_of(scenario: Scenario, limits: Limits, levels: int = 0) -> int:
+    """Return how many simulations a verification makes at most: of a room, those of it as it is.
 
     Raises
     ------
     RefusedError
-        More than this server allows.
+        More than this server allows, or a piece that cannot stand where it does in its room.
     """
-    (compared, _), shaking = compared_options(scenario), scenario.shaking
-    options = len(compared)
-    motions = motions_of(shaking)
-    most = max(1, -(-scenario.samples // motions))
-    badly = 1 if scenario.uncertainty.badly(1.0) > 0.0 else 0
-    runs = options * motions * most * (1 + badly + levels)
-    if scenario.contents is not None:
-        runs += options * runs_of_contents(scenario.contents, motions)
-    allowed = limits.runs if scenario.dimensions == 2 else limits.runs_in_space
+    motions = motions_of(scenario.shaking)
+    runs = motions * max(1, -(-scenario.samples // motions))
+    if scenario.plan is not None:
+        allowed = limits.runs_of_room
+        try:
+            with scenario.naming_keys():
+                scenario.scene().refuse_wrong_places()
+        except InputError as error:
+            raise refusal(error) from None
+    else:
+        allowed = limits.runs if scenario.dimensions == 2 else limits.runs_in_space
+        options = len(compared_options(scenario)[0])
+        runs *= options * (1 + levels + (scenario.uncertainty.badly(1.0) > 0.0))
+        if scenario.contents is not None:
+            runs += options * runs_of_contents(scenario.contents, motions)
     if runs > allowed:
         raise too_many("uncertainty.samples", runs, allowed, "app.runs")
     return runs

@@ -12,6 +12,7 @@ from stayput.catalogue import say
 from stayput.cli.flags import LanguageOption, QuietOption, SetOption, ThreadsOption, changed
 from stayput.cli.messages import note, print_json, tell_written
 from stayput.cli.streams import NAME, file_of, is_stream, table_of_input
+from stayput.errors import InputError, absent
 from stayput.progress import language_of_bars
 
 if TYPE_CHECKING:
@@ -73,9 +74,7 @@ def assess(
     else:
         _print(assessment, formats_of(export) if assessment.facts["pieces"] else (), lang)
     if not assessment.facts["pieces"]:
-        from stayput.errors import InputError
-
-        raise InputError("cli.no_row", rejects=assessment.folder / "rejects.csv")
+        raise InputError("cli.no_row", rejects=str(assessment.folder / "rejects.csv"))
 
 
 @contextmanager
@@ -84,8 +83,6 @@ def _executor(scheduler: str | None) -> Generator[Executor | None]:
     if scheduler is None:
         yield None
         return
-    from stayput.errors import InputError, absent
-
     try:
         from dask.distributed import Client
     except ImportError:
@@ -130,7 +127,7 @@ def _print(assessment: Assessment, exported: Sequence[str], lang: str) -> None:
     from stayput.inventory.report import printed_lines
 
     facts, events = assessment.facts, assessment.summary.events
-    for line in printed_lines(facts, events, assessment.runs, "geojson" in exported, lang):
-        typer.echo(line)
+    for line in printed_lines(facts, events, assessment.runs, "geojson" in exported):
+        typer.echo(say(line, lang))
     files = (assessment.folder / f"pieces.{name}" for name in exported)
     tell_written(lang, assessment.report("ja" if lang == "ja" else "en"), *files)

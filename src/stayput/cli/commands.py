@@ -10,6 +10,7 @@ import stayput
 from stayput.cli import assess, motion, scenarios
 from stayput.cli.flags import LanguageOption, QuietOption  # noqa: TC001 - Typer reads the annotations
 from stayput.cli.help import HelpfulCommand, RootGroup
+from stayput.errors import absent
 
 _PORT = 8000
 
@@ -23,8 +24,6 @@ def _page(
     quiet: QuietOption = False,
 ) -> None:
     """Run ``stayput app``."""
-    from stayput.errors import absent
-
     try:
         from stayput.app.server import serve
     except ModuleNotFoundError as error:

@@ -16,8 +16,9 @@ from stayput.catalogue import phrase
 from stayput.cli.messages import of_locale
 from stayput.cli.streams import called, file_of, is_stream, table_of_input
 from stayput.errors import InputError, not_allowed, unknown
-from stayput.files import LARGEST_RECORD
+from stayput.files import LARGEST_RECORD, check_apart
 from stayput.progress import keep_quiet
+from stayput.wording import check_language
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Container, Iterator, Mapping, Sequence
@@ -58,8 +59,6 @@ QuietOption: TypeAlias = Annotated[
 
 def _chosen(ctx: typer.Context, value: str) -> str:
     """Return the language of the flag, else that of the flag before the command, else the locale's."""
-    from stayput.wording import check_language
-
     if value:
         return check_language(value)
     return (ctx.parent and ctx.parent.params.get("lang")) or of_locale()
@@ -331,7 +330,6 @@ def opened(
     InputError
         A value that is not allowed.
     """
-    from stayput.files import check_apart
     from stayput.scenario import Scenario
     from stayput.scenario.toml import read_toml
 
@@ -380,8 +378,6 @@ def tables_of_motion(
     InputError
         A flag's text that cannot be read, a key of another table, or a file to write that is read.
     """
-    from stayput.files import check_apart
-
     for flag, key, _ in _settings(said, "MOTION"):
         if not key.startswith("shaking."):
             raise InputError("common.left_out", key, name=flag, where=phrase("cli.of_a_motion"))

@@ -19,7 +19,7 @@ from stayput.catalogue import phrase, say
 from stayput.cli.interrupts import INTERRUPTED
 from stayput.cli.streams import closed_output, is_stream, standard_input
 from stayput.errors import InputError, InputWarning, quoted, reason_of, warnings_to
-from stayput.progress import is_quiet, keep_quiet, told_in
+from stayput.progress import is_drawn, is_quiet, keep_quiet, language_of_bars, told_in
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterable, Sequence
@@ -320,7 +320,6 @@ def print_json(values: object) -> None:
 def compiling() -> Generator[None]:
     """Announce on standard error that the mechanics are being compiled, where no bar shows it."""
     from stayput.compiling import on_compilation
-    from stayput.progress import is_drawn, language_of_bars
 
     language = language_of_bars()  # which the threads that compile do not know
 

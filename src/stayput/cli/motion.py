@@ -24,6 +24,8 @@ from stayput.cli.messages import note, plain_table, print_json, tell_written, te
 from stayput.cli.streams import check_output, is_stream, to_output, write_text
 from stayput.cli.suite import suite
 from stayput.errors import InputError, InputWarning, not_allowed, unknown, warn
+from stayput.files import PLOT_SUFFIXES, check_target
+from stayput.spreadsheets import csv_text
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -74,16 +76,13 @@ def _measures(motion: Motion) -> dict[str, Any]:
         long_period_class,
         long_period_response,
     )
-    from stayput.report.summary import number
+    from stayput.report.summary import attributes, number
 
     intensity, moved = motion.intensity, _displacements(motion)
     response = long_period_response(motion.x, motion.y, motion.dt)
     parts = {name: (peaks, SpectralMeasures.of(motion, name)) for name, peaks in motion.peaks().items()}
     return {
-        "name": motion.name,
-        "source": motion.source,
-        "synthetic": motion.synthetic,
-        "dt_s": motion.dt,
+        **attributes(motion, "name", "source", "synthetic", "dt_s"),
         "samples": len(motion),
         "duration_s": motion.duration,
         "jma_intensity": number(intensity),
@@ -94,18 +93,12 @@ def _measures(motion: Motion) -> dict[str, Any]:
         "floor": motion.floor or None,
         "components": {
             name: {
-                "pga_m_s2": peaks.pga,
-                "pgv_m_s": peaks.pgv,
-                "pgd_m": peaks.pgd,
+                **attributes(peaks, "pga_m_s2", "pgv_m_s", "pgd_m"),
                 "pgd_baseline_corrected_m": moved[name].corrected,
                 "displacement_drifts": moved[name].drifts,
-                "arias_m_s": peaks.arias,
-                "cav_m_s": peaks.cav,
-                "significant_duration_s": peaks.significant_duration,
-                "housner_intensity_m": spectral.housner_intensity,
-                "spectrum_intensity_m_s": spectral.spectrum_intensity,
-                "predominant_period_s": number(spectral.predominant_period),
-                "mean_period_s": number(spectral.mean_period),
+                **attributes(peaks, "arias_m_s", "cav_m_s", "significant_duration_s"),
+                **attributes(spectral, "housner_intensity_m", "spectrum_intensity_m_s"),
+                **attributes(spectral, "predominant_period_s", "mean_period_s"),
             }
             for name, (peaks, spectral) in parts.items()
         },
@@ -272,8 +265,6 @@ def plot(
     lang: LanguageOption = "",
 ) -> None:
     """Run ``stayput motion plot``."""
-    from stayput.files import PLOT_SUFFIXES, check_target
-
     check_target(out, PLOT_SUFFIXES)
     tables = tables_of_motion(motion, said, out)
     if (response := respond(tables)) is not None:
@@ -307,12 +298,10 @@ def spectrum(
     lang: LanguageOption = "",
 ) -> None:
     """Run ``stayput motion spectrum``."""
-    from stayput.files import PLOT_SUFFIXES, check_target
     from stayput.motion.response import PERIODS
 
     check_output(out, (".csv",))
-    if plot is not None:
-        check_target(plot, PLOT_SUFFIXES)
+    check_output(plot, PLOT_SUFFIXES, stream=False)
     record = motion_of(tables_of_motion(motion, said, out, plot))
     instead = to_output({"--out": out})
 
@@ -333,8 +322,6 @@ def spectrum(
 
 
 def _spectra_csv(spectra: dict[str, ResponseSpectrum]) -> str:
-    from stayput.spreadsheets import csv_text
-
     columns = {"period_s": next(iter(spectra.values())).periods.tolist()}
     for name, spectrum in spectra.items():
         columns[f"sa_{name}_m_s2"] = spectrum.sa.tolist()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import ExitStack, contextmanager
+from dataclasses import asdict
 from pathlib import Path  # noqa: TC003 - Typer reads the annotations
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -22,7 +23,10 @@ from stayput.cli.flags import (
 )
 from stayput.cli.messages import compiling, note, plain_table, print_json, tell_written, terminal
 from stayput.cli.streams import called, check_output, is_stream, to_output, write_text
-from stayput.errors import InputError
+from stayput.errors import InputError, within
+from stayput.files import PLOT_SUFFIXES, check_animation
+from stayput.progress import bar, is_drawn
+from stayput.spreadsheets import CSV_ENCODING
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Sequence
@@ -59,7 +63,9 @@ def simulate(
     from stayput.report.plot import plot_run
     from stayput.report.summary import rows, sentences, summary
 
-    _check_targets(plot, animate)
+    check_output(plot, PLOT_SUFFIXES, stream=False)
+    if animate is not None:
+        check_animation(animate)
     checked = opened(scenario, said, (plot, animate), of_one={"--measure": measure})
     with compiling():
         run = checked.run(chosen_measures(checked, measure or []))
@@ -84,22 +90,9 @@ def simulate(
     tell_written(lang, plot, animate)
 
 
-def _check_targets(plot: Path | None, animate: Path | None) -> None:
-    if plot is not None:
-        from stayput.files import PLOT_SUFFIXES, check_target
-
-        check_target(plot, PLOT_SUFFIXES)
-    if animate is not None:
-        from stayput.files import check_animation
-
-        check_animation(animate)
-
-
 @contextmanager
 def _progress() -> Generator[Progress | None]:
     """Yield a function that advances a bar of frames, or None where none is drawn."""
-    from stayput.progress import bar, is_drawn
-
     if not is_drawn():
         yield None
         return
@@ -152,29 +145,20 @@ def verify(
 ) -> None:
     """Run ``stayput verify``."""
     from stayput.cli.verdicts import print_verdict
-    from stayput.errors import within
-    from stayput.files import check_target
     from stayput.montecarlo.counting import SLIDE_LIMIT
     from stayput.rooms.steps import Home
 
-    for page in (report, plan):
-        if page is not None:
-            check_target(page, (".html",))
+    check_output(report, (".html",), stream=False)
+    check_output(plan, (".html",), stream=False)
     check_output(markdown, (".md",))
     check_output(csv, (".csv",))
     instead = to_output({"--markdown": markdown, "--csv": csv}, json)
     if report is not None and plan is not None and report.resolve() == plan.resolve():
-        value = repr(str(plan))
-        raise InputError("cli.same_file", "--plan", flag="--report", other="--plan", value=value)
+        raise InputError("cli.same_file", "--plan", flag="--report", other="--plan", value=plan)
     limit = SLIDE_LIMIT if slide_limit is None else within("--slide-limit", slide_limit, 0.0, 100.0, "m")
-    home: dict[str, Any] = {
-        "no_drilling": no_drilling,
-        "tatami": tatami,
-        "plasterboard": plasterboard,
-        "dropped_ceiling": dropped_ceiling,
-    }
-    if plan is None and any(home.values()):
-        flags = ", ".join(f"--{name}".replace("_", "-") for name, wanted in home.items() if wanted)
+    home = Home(no_drilling, tatami, plasterboard, dropped_ceiling)
+    if plan is None and home != Home():
+        flags = ", ".join(f"--{name}".replace("_", "-") for name, said in asdict(home).items() if said)
         raise InputError("scenario.needs_both", "--plan", name=flags, other="--plan")
     over = _over(curves, im)
     of_one = {"--measure": measure}
@@ -185,7 +169,7 @@ def verify(
     if measure:
         checked = _only(checked, measure)
     with checked.naming_file():
-        checked = Home(**home).of(checked)  # the verdict, too, is of the room as it is said to be
+        checked = home.of(checked)  # the verdict, too, is of the room as it is said to be
     verdict = _verified(checked, over, limit, every_run, threads)
     if json:
         typer.echo(verdict.to_json(), nl=False)
@@ -197,15 +181,13 @@ def verify(
     if markdown is not None:
         write_text(markdown, verdict.to_markdown(lang))
     if csv is not None:
-        from stayput.spreadsheets import CSV_ENCODING
-
         write_text(csv, verdict.to_csv(), CSV_ENCODING)
     if curves is not None and over is not None:
         written += _write_curves(verdict, over, curves, lang, aside=instead or json)
     if plan is not None:
         from stayput.rooms.planning import action_plan
 
-        written.append(action_plan(verdict, **home, threads=threads).report(plan, lang))
+        written.append(action_plan(verdict, **asdict(home), threads=threads).report(plan, lang))
     if not json:
         tell_written(lang, *written, aside=instead)
 
@@ -225,9 +207,7 @@ def _over(curves: Path | None, im: str | None) -> IntensityMeasure | None:
             raise InputError("scenario.needs_both", "--im", other="--curves")
         return None
     if curves.exists() and not curves.is_dir():
-        raise InputError(
-            "common.folder_is_file", "--curves", folder=repr(str(curves)), path=repr(str(curves))
-        )
+        raise InputError("common.folder_is_file", "--curves", folder=curves, path=curves)
     return intensity_measure(im or "JMA", "--im")
 
 

@@ -155,15 +155,15 @@ def closed_output() -> TextIO:
     return os.fdopen(os.open(os.devnull, os.O_RDONLY), "w", encoding="utf-8")
 
 
-def check_output(path: Path | None, suffixes: Sequence[str]) -> None:
-    """Refuse a file that cannot be written before any work is done; ``-`` can.
+def check_output(path: Path | None, suffixes: Sequence[str], *, stream: bool = True) -> None:
+    """Refuse a file that cannot be written before any work is done; ``-`` can, where it may be a stream.
 
     Raises
     ------
     InputError
         As `stayput.files.check_target`.
     """
-    if path is not None and not is_stream(path):
+    if path is not None and not (stream and is_stream(path)):
         check_target(path, suffixes)
 
 

@@ -19,6 +19,10 @@ from stayput.cli.flags import (
 )
 from stayput.cli.messages import note
 from stayput.errors import InputError, not_allowed, unknown
+from stayput.files import folder_draft, name_part
+from stayput.progress import bar
+from stayput.spreadsheets import CSV_ENCODING, csv_text
+from stayput.wording import counted
 
 if TYPE_CHECKING:
     from stayput.motion.suites.suite import Suite
@@ -46,7 +50,7 @@ def suite(
 ) -> None:
     """Run ``stayput motion suite``."""
     if out.exists() and not out.is_dir():
-        raise InputError("common.folder_is_file", "--out", folder=repr(str(out)), path=repr(str(out)))
+        raise InputError("common.folder_is_file", "--out", folder=out, path=out)
     if fit not in FITS:
         raise unknown("--fit", fit, FITS, "--fit")
     if target is not None and "intensity" in said:
@@ -95,10 +99,8 @@ def _target_of(text: str) -> TargetSpectrum:
 
 
 def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) -> None:
-    from stayput.files import folder_draft, name_part
-    from stayput.progress import bar
     from stayput.report.spectra import plot_suite, suite_title
-    from stayput.spreadsheets import CSV_ENCODING, csv_text
+    from stayput.report.summary import attributes
 
     rows: list[dict[str, object]] = []
     with (
@@ -112,16 +114,11 @@ def _write(motions: Suite, out: Path, target: TargetSpectrum | None, lang: str) 
             motion.write(folder / file)
             about: dict[str, object] = {
                 "file": file,
-                "name": motion.name,
-                "synthetic": motion.synthetic,
-                "dt_s": motion.dt,
-                "duration_s": motion.duration,
+                **attributes(motion, "name", "synthetic", "dt_s", "duration_s"),
                 "jma_intensity": motion.intensity,
-                "pga_m_s2": motion.pga,
-                "pgv_m_s": motion.pgv,
+                **attributes(motion, "pga_m_s2", "pgv_m_s"),
                 "d5_95_s": motion.significant_duration,
-                "floor": motion.floor,
-                "source": motion.source,
+                **attributes(motion, "floor", "source"),
             }
             rows.append(about)
             advance(1)
@@ -137,7 +134,6 @@ def _print_end(
 ) -> None:
     from stayput.motion.intensity import published_intensity
     from stayput.report.names import given_name
-    from stayput.wording import counted
 
     number, kind = len(motions), "synthetic motion" if motions.synthetic else "motion"
     japanese = f"{'模擬' if motions.synthetic else ''}地震動{number}本"

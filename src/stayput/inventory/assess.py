@@ -8,7 +8,6 @@ import re
 import time
 from contextlib import closing, contextmanager
 from dataclasses import dataclass
-from functools import lru_cache
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,12 +17,11 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, not_allowed, reason_of, within
 from stayput.execution import Pool
 from stayput.extras import arrow
-from stayput.fragility.intensity_measures import JMA_INTENSITY, PGA, PGV
 from stayput.inventory.columns import read_columns
 from stayput.inventory.folder import MANIFEST, PLAN, called, check_parts, claimed, input_digest, inputs_of
 from stayput.inventory.plan import make_plan
 from stayput.inventory.report import report_html
-from stayput.inventory.results import GROUND, PIECES, part_names, write_results
+from stayput.inventory.results import PIECES, part_names, write_results
 from stayput.inventory.scenarios import ScenarioFile, read_scenarios
 from stayput.inventory.shakemap_files import read_shakemap
 from stayput.inventory.store import Store
@@ -31,13 +29,14 @@ from stayput.inventory.summary import REJECTS, export_results, formats_of, summa
 from stayput.inventory.work import Work
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.progress import bar
+from stayput.report.summary import attributes
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Mapping, Sequence
+    from collections.abc import Generator, Mapping, Sequence
     from concurrent.futures import Executor
 
     from stayput.catalogue import Language
-    from stayput.inventory.scenarios import Changed, Scenarios
+    from stayput.inventory.scenarios import Changed
     from stayput.inventory.summary import Summary
 
 MEMORY = 2 * 2**30
@@ -191,7 +190,7 @@ def assess(
     def check_unchanged() -> None:
         for name, path in files.items():
             if input_digest(name, path) != digests[name]:
-                raise InputError("inventory.changed", file=called(name), path=repr(str(path)))
+                raise InputError("inventory.changed", file=called(name), path=path)
 
     with _full_disk(folder), claimed(folder, inputs) as space:
         with bar(_rows_about(table), "progress.reading", progress, "progress.rows") as advance:
@@ -211,13 +210,12 @@ def assess(
                 with units as advance, Pool(threads, executor) as pool:
                     work.run(pool, advance)
             simulating = time.perf_counter() - started
-            strengths = _strengths(work)
-            manifest = _manifest(scenarios, limit, work, strengths)
+            manifest = _manifest(work, limit)
             digest = hashlib.sha256(json.dumps([inputs, stayput.__version__]).encode())
             about = {"stayput": json.dumps({"inputs": digest.hexdigest(), **manifest}, sort_keys=True)}
             rows = facts["pieces"] * len(scenarios.events)
             with bar(rows, "progress.writing", progress, "progress.rows") as advance:
-                write_results(folder / PIECES, space, store, work.outcomes, about, strengths, advance)
+                write_results(folder / PIECES, space, work, about, advance)
             write_rejects(folder, space, store)
         summary = summarise(folder / PIECES)
         summary.write(folder, space)
@@ -257,9 +255,7 @@ def _full_disk(folder: Path) -> Generator[None]:
         reason = reason_of(error)
         where = getattr(error, "filename2", None) or getattr(error, "filename", None)
         at = phrase("inventory.at_path", path=repr(str(where))) if where else ""
-        raise InputError(
-            "inventory.unwritable", "out", folder=repr(str(folder)), reason=reason, at=at
-        ) from error
+        raise InputError("inventory.unwritable", "out", folder=folder, reason=reason, at=at) from error
 
 
 def _rows_about(table: Path) -> int:
@@ -275,55 +271,20 @@ def _rows_about(table: Path) -> int:
     return max(1, round(lines * table.stat().st_size / max(len(start), 1)))
 
 
-def _manifest(
-    scenarios: Scenarios,
-    limit: float,
-    work: Work,
-    strengths: Callable[[str, float | None], dict[str, float | None]],
-) -> dict[str, Any]:
+def _manifest(work: Work, limit: float) -> dict[str, Any]:
+    scenarios, shakemap = work.scenarios, work.scenarios.shakemap
     return {
         "version": stayput.__version__,
         "slide limit": limit,
-        "shake map": None if scenarios.shakemap is None else scenarios.shakemap.about,
+        "shake map": None if shakemap is None else shakemap.about,
         "scenarios": [
             {
-                "name": file.name,
-                "digest": file.digest,
+                **attributes(file, "name", "digest"),
                 "suite": file.ground.name,
                 "synthetic": file.ground.synthetic,
-                "intensity": None
-                if scenarios.shakemap is not None
-                else strengths(file.name, None)["intensity"],
-                "motions": settings.motions,
-                "samples": settings.samples,
-                "seed": settings.seed,
-                "precision": settings.precision,
+                "intensity": work.strengths(file.name, None)["intensity"] if shakemap is None else None,
+                **attributes(settings, "motions", "samples", "seed", "precision"),
             }
             for file, settings in zip(scenarios.all, work.settings, strict=True)
         ],
     }
-
-
-def _strengths(work: Work) -> Callable[[str, float | None], dict[str, float | None]]:
-    """Return a function of a scenario and a map's level: what `GROUND` names."""
-    places = {file.name: n for n, file in enumerate(work.scenarios.all)}
-    measure = work.scenarios.measure
-
-    @lru_cache(maxsize=10_000)
-    def strengths(station: str, level: float | None) -> dict[str, float | None]:
-        place = places[station]
-        ground, shaking = work.ground(place), work.scenarios.all[place].scenario.shaking
-        strength, numbers = shaking.strength, dict[str, float | None].fromkeys(GROUND)
-        if level is not None and measure == JMA_INTENSITY:
-            return {**numbers, "intensity": float(level)}
-        if level is None and strength is not None and strength.measure == "JMA":
-            return {**numbers, "intensity": strength.level}
-        if level is None:
-            factors = ground.stated(strength, shaking.scale, work.settings[place].seed)
-        else:
-            factors = ground.factors(level)
-            name = "sa" if measure.period is not None else "pga" if measure == PGA else "pgv"
-            numbers[name] = 10.0**level * (PGV.shown if name == "pgv" else 1.0)
-        return {**numbers, "intensity": ground.median_intensity(factors)}
-
-    return strengths

@@ -122,29 +122,29 @@ LOOKS_LIKE_SIZE = re.compile(
 """Columns that seem to be a size, and do not say whether along the wall, from front to back or upwards, or
 that hold several in a cell."""
 
-_LENGTHS = {
-    ("mm", "millimetre", "millimetres", "millimeters", "ミリ"): NumberUnit("mm", over=1000.0),
-    ("cm", "centimetre", "centimetres", "centimeters", "センチ"): NumberUnit("cm", over=100.0),
-    ("m", "metre", "metres", "meter", "meters", "メートル"): NumberUnit("m"),
-    ("in", "inch", "inches", '"', "インチ"): NumberUnit("in", 254.0, 10_000.0),
-    ("ft", "foot", "feet"): NumberUnit("ft", 3048.0, 10_000.0),
-}
-_MASSES = {
-    ("kg", "kgs", "キロ", "キログラム"): NumberUnit("kg"),
-    ("g", "グラム"): NumberUnit("g", over=1000.0),
-    ("t", "トン"): NumberUnit("t", 1000.0),
-    ("lb", "lbs", "pound", "pounds", "ポンド"): NumberUnit("lb", 45_359_237.0, 100_000_000.0),
-}
-_CURRENCIES = {
-    ("円", "yen", "jpy", "¥", "usd", "$", "us$", "dollars", "eur", "€", "euro"): NumberUnit(""),
-    ("千円",): NumberUnit("千円", 1000.0),
-    ("万円",): NumberUnit("万円", 10_000.0),
-}
-_ANGLES = {("°", "deg", "degrees", "度"): NumberUnit("°")}
-
 UNITS: dict[str, dict[str, NumberUnit]] = {
     kind: {name: unit for names, unit in units.items() for name in names}
-    for kind, units in {"m": _LENGTHS, "kg": _MASSES, "currency": _CURRENCIES, "°": _ANGLES}.items()
+    for kind, units in {
+        "m": {
+            ("mm", "millimetre", "millimetres", "millimeters", "ミリ"): NumberUnit("mm", over=1000.0),
+            ("cm", "centimetre", "centimetres", "centimeters", "センチ"): NumberUnit("cm", over=100.0),
+            ("m", "metre", "metres", "meter", "meters", "メートル"): NumberUnit("m"),
+            ("in", "inch", "inches", '"', "インチ"): NumberUnit("in", 254.0, 10_000.0),
+            ("ft", "foot", "feet"): NumberUnit("ft", 3048.0, 10_000.0),
+        },
+        "kg": {
+            ("kg", "kgs", "キロ", "キログラム"): NumberUnit("kg"),
+            ("g", "グラム"): NumberUnit("g", over=1000.0),
+            ("t", "トン"): NumberUnit("t", 1000.0),
+            ("lb", "lbs", "pound", "pounds", "ポンド"): NumberUnit("lb", 45_359_237.0, 100_000_000.0),
+        },
+        "currency": {
+            ("円", "yen", "jpy", "¥", "usd", "$", "us$", "dollars", "eur", "€", "euro"): NumberUnit(""),
+            ("千円",): NumberUnit("千円", 1000.0),
+            ("万円",): NumberUnit("万円", 10_000.0),
+        },
+        "°": {("°", "deg", "degrees", "度"): NumberUnit("°")},
+    }.items()
 }
 """Units by their names, for each unit that a column may have."""
 
@@ -347,7 +347,7 @@ def _file(path: Path) -> dict[str, Any]:
     except (ValueError, RecursionError):
         content = None
     if not isinstance(content, dict):
-        raise not_allowed("columns", repr(str(path)), "inventory_tables.mapping_file", "columns")
+        raise not_allowed("columns", path, "inventory_tables.mapping_file", "columns")
     return cast("dict[str, Any]", content)
 
 

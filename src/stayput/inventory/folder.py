@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
     from stayput.catalogue import Phrase
 
-FORMAT = 9
+FORMAT = 10
 """Changes with the files' layout or meaning."""
 
 MANIFEST, WORK, LOCK = "manifest.json", "work", ".lock"
@@ -104,7 +104,7 @@ def called(name: str) -> Phrase:
 
 def unreadable(path: Path, error: Exception) -> InputError:
     """Return the refusal of an input that the system does not let be read."""
-    return InputError("common.unreadable", file=repr(str(path)), reason=reason_of(error))
+    return InputError("common.unreadable", file=path, reason=reason_of(error))
 
 
 def input_digest(name: str, path: Path) -> str:
@@ -121,7 +121,7 @@ def input_digest(name: str, path: Path) -> str:
     except (OSError, ValueError) as error:  # a name with a zero byte or half a surrogate pair is a ValueError
         raise unreadable(path, error) from None
     what = phrase("inventory.the", what=called(name))  # a pipe would be read but once, a device for ever
-    raise not_allowed(what, repr(str(path)), "inventory.not_a_file")
+    raise not_allowed(what, path, "inventory.not_a_file")
 
 
 @contextmanager
@@ -144,7 +144,7 @@ def claimed(folder: Path, inputs: Mapping[str, Any]) -> Generator[Workspace]:
     """
     for path in (folder, *folder.parents):
         if path.exists() and not path.is_dir():
-            raise InputError("common.folder_is_file", "out", folder=repr(str(folder)), path=repr(str(path)))
+            raise InputError("common.folder_is_file", "out", folder=folder, path=path)
     folder.mkdir(parents=True, exist_ok=True)
     _refuse_others(folder)  # before the lock, which would be a file in somebody else's folder
     inputs_of(folder)
@@ -154,7 +154,7 @@ def claimed(folder: Path, inputs: Mapping[str, Any]) -> Generator[Workspace]:
         if before is not None and before != wanted and _holds_results(folder):
             other = next((name for name in wanted if before.get(name) != wanted[name]), "list of inputs")
             other = called(other)
-            raise InputError("inventory.other_assessment", "out", folder=repr(str(folder)), other=other)
+            raise InputError("inventory.other_assessment", "out", folder=folder, other=other)
         (folder / WORK).mkdir(exist_ok=True)
         space = Workspace(folder / WORK)
         if before != wanted:
@@ -181,7 +181,7 @@ def inputs_of(folder: Path) -> dict[str, Any] | None:
     inputs = cast("dict[str, Any]", content).get("inputs") if isinstance(content, dict) else None
     if isinstance(inputs, dict):
         return cast("dict[str, Any]", inputs)
-    raise InputError("inventory.strangers", "out", folder=repr(str(folder)), name=repr(MANIFEST))
+    raise InputError("inventory.strangers", "out", folder=folder, name=repr(MANIFEST))
 
 
 def entries(folder: Path, below: str = "") -> Iterator[str]:
@@ -211,7 +211,7 @@ def _refuse_others(folder: Path) -> None:
     for entry in entries(folder):
         name = entry.rstrip("/@")
         if new and (not BEGUN.fullmatch(entry) or (entry == LOCK and (folder / LOCK).stat().st_size)):
-            raise InputError("inventory.strangers", "out", folder=repr(str(folder)), name=repr(name))
+            raise InputError("inventory.strangers", "out", folder=folder, name=repr(name))
         ours = OWN.fullmatch(name) or OWN.fullmatch(f"{name}/") or READ.fullmatch(entry)
         if ours and not OWN.fullmatch(entry):
             raise _in_the_way(folder, entry)
@@ -220,7 +220,7 @@ def _refuse_others(folder: Path) -> None:
 def _in_the_way(folder: Path, entry: str) -> InputError:
     """Return the refusal of something that lies where the assessment writes or reads."""
     name = repr(entry.rstrip("@"))
-    return InputError("inventory.in_the_way", "out", folder=repr(str(folder)), name=name)
+    return InputError("inventory.in_the_way", "out", folder=folder, name=name)
 
 
 def _holds_results(folder: Path) -> bool:
@@ -242,5 +242,5 @@ def _locked(folder: Path) -> Generator[None]:
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
-            raise InputError("inventory.at_work", "out", folder=repr(str(folder))) from None
+            raise InputError("inventory.at_work", "out", folder=folder) from None
         yield

@@ -248,10 +248,6 @@ class Header:
         if self.parts[value].base in TOTALS:
             self._doubt("total", value)
 
-    def _unknown(self) -> list[str]:
-        """Return the part of a mapping for each column of which nothing is known."""
-        return [f"?={name}" for name in self.unused[len(self.ignored) :][:UNKNOWN_SHOWN]]
-
     def _proposal(self, others: Sequence[str] = ()) -> str:
         """Return the mapping to give: what is given already, but for what is doubted, and what settles it."""
         settled = ",".join(dict.fromkeys((*(part for _, part in self.doubts), *others)))
@@ -265,8 +261,9 @@ class Header:
         if not {"name", "preset"} & self.places.keys() and not sized:
             if not any(self.names):
                 raise InputError("inventory.first_row", "inventory", reason=phrase("inventory.is_empty"))
-            if not_known := self._unknown():
-                proposal, columns = self._proposal(not_known), ", ".join(COLUMNS)
+            if not_known := self.unused[len(self.ignored) :][:UNKNOWN_SHOWN]:
+                proposal = self._proposal([f"?={name}" for name in not_known])
+                columns = ", ".join(COLUMNS)
                 raise InputError(
                     "inventory_tables.no_known_column", "columns", proposal=proposal, columns=columns
                 )

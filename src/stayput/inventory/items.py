@@ -26,11 +26,12 @@ from stayput.inventory.cells import (
 )
 from stayput.inventory.columns import TOTAL_ROW, plain_name
 from stayput.inventory.scenarios import stated_building
-from stayput.inventory.store import ground_spec, measures_spec, piece_spec
+from stayput.inventory.store import ground_spec
 from stayput.measures import MEASURES, hold
 from stayput.measures.measure import refuse_conflicts
 from stayput.model.room import WALLS, Floor, Wall
 from stayput.model.state import State, refuse_bad_start
+from stayput.saved import to_text
 from stayput.scenario import Scenario
 from stayput.scenario.pieces import PieceTable
 
@@ -205,8 +206,8 @@ class RowReader:
                 except InputError as error:  # no wall behind, no ceiling, an anchor above the ceiling
                     not_possible[name] = error.told("en"), error.told("ja")
             contents = contents_of(cells, body, scenario)
-            specs = {name: measures_spec(measures) for name, measures in options.items()}
-            return piece_spec(body, room, contents), specs, not_possible
+            specs = {name: to_text(list(measures)) for name, measures in options.items()}
+            return to_text((body, room, contents)), specs, not_possible
 
         return self.rooms.result((station, body, _values(cells, (*OF_THE_ROOM, *OF_THE_CONTENTS))), make)
 

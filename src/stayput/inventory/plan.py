@@ -112,25 +112,9 @@ def make_plan(
         A table that cannot be read, a wrong header, or no row.
     """
     path = space.folder / PLAN
-    facts: dict[str, Any] | None = None
     if path.exists():
         with suppress(sqlite3.DatabaseError), closing(Store(path)) as store:  # of a damaged one
-            facts = store.facts()
-    if facts is None:
-        with space.draft(path) as draft:
-            facts = _fill(draft, inventory, scenarios, cache, advance, columns)
-            check_unchanged()
-    return facts
-
-
-def _fill(
-    path: Path,
-    inventory: Path,
-    scenarios: Scenarios,
-    cache: int,
-    advance: Callable[[int], None],
-    columns: ColumnMapping | None,
-) -> dict[str, Any]:
+            return store.facts()
     reader, impossible, rejects = RowReader(scenarios), Findings(), Findings()
     counts, left_empty = Counter[str](), Counter[str]()
     buffered: list[dict[str, Any]] = []
@@ -141,7 +125,7 @@ def _fill(
             counts["parts"] += 1
             buffered.clear()
 
-    with closing(Store(path, cache)) as store, open_table(inventory) as table:
+    with space.draft(path) as draft, closing(Store(draft, cache)) as store, open_table(inventory) as table:
         store.begin()
         first = list(islice(table.rows, ROWS_LOOKED_AT))
         sample = [[] if isinstance(cells, InputError) else cells for _, cells in first]
@@ -186,7 +170,7 @@ def _fill(
                 flush()
         flush()
         if counts["rows"] == counts["empty rows"]:
-            raise not_allowed("inventory.the_file", repr(str(inventory)), "inventory.no_rows", "inventory")
+            raise not_allowed("inventory.the_file", inventory, "inventory.no_rows", "inventory")
         store.finish(
             {
                 **{name: counts[name] for name in COUNTED},
@@ -200,6 +184,7 @@ def _fill(
                 "roofs": reader.roofs,
             }
         )
+        check_unchanged()
         return store.facts()
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 import re
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
-from stayput.catalogue import phrase, say
+from stayput.catalogue import LANGUAGES, is_phrase, phrase
 from stayput.fragility.probabilities import percent
 from stayput.inventory.items import NO_MEASURE
 from stayput.inventory.results import Finding, least_motions
@@ -17,26 +17,47 @@ from stayput.report.page import framed, rendered
 from stayput.report.palette import INK, PAPER, rgb
 from stayput.verification.contents import MOTIONS
 from stayput.verification.words import SAFE
-from stayput.wording import counted
+from stayput.wording import counted, joined
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping, Sequence
 
-    from stayput.catalogue import Phrase
+    from stayput.catalogue import Language, Phrase
     from stayput.inventory.summary import Summary, Total
 
 _SHEET = re.compile(r"sheet (?P<name>'.*?')(?:; not (?P<others>.*))?")
 """How a sheet of a workbook is called in the facts."""
 
+NOTHING: Phrase = ("", "")
+"""What is said where there is nothing to say."""
 
-def tell(key: str, language: str, **values: object) -> str:
+
+def tell(key: str, **values: object) -> Phrase:
     """Return a text about an assessment."""
-    return say(f"inventory_report.{key}", language, **values)
+    return phrase(f"inventory_report.{key}", **values)
 
 
-def joined(sentences: Iterable[str], language: str) -> str:
+def in_language(content: Any, language: Language) -> Any:
+    """Return lists and mappings with the phrases in them in a language."""
+    if is_phrase(content):
+        return content[LANGUAGES.index(language)]
+    if isinstance(content, dict):
+        items = cast("dict[str, Any]", content).items()
+        return {key: in_language(value, language) for key, value in items}
+    if isinstance(content, list | tuple):
+        return [in_language(value, language) for value in cast("Sequence[Any]", content)]
+    return content
+
+
+def in_one(sentences: Iterable[Phrase]) -> Phrase:
     """Return sentences after each other; empty ones are left out."""
-    return (" " if language == "en" else "").join(filter(None, sentences))
+    kept = [sentence for sentence in sentences if sentence != NOTHING]
+    return joined(kept, (" ", "")) if kept else NOTHING
+
+
+def named(name: str) -> Phrase:
+    """Return a name, in each language where stayput gave it."""
+    return name, given_name(name, "ja")
 
 
 def counted_phrase(number: int, noun: str, counter: str) -> Phrase:
@@ -54,73 +75,62 @@ def rows_counted(number: int) -> Phrase:
     return counted_phrase(number, "row", "行")
 
 
-def narrow_told(facts: Mapping[str, Any], language: str) -> str:
+def narrow_told(facts: Mapping[str, Any]) -> Phrase:
     """Return how many rows are narrower than deep; empty where none is."""
     narrow = facts["narrower than deep"]
-    return tell("narrow", language, rows=rows_counted(narrow)) if narrow else ""
+    return tell("narrow", rows=rows_counted(narrow)) if narrow else NOTHING
 
 
-def empty_told(facts: Mapping[str, Any], language: str) -> str:
+def empty_told(facts: Mapping[str, Any]) -> Phrase:
     """Return in which columns cells are empty, and what holds there; empty where none is."""
-    counts = [
-        tell("empty_column", language, column=column, rows=rows_counted(rows))
-        for column, rows in facts["empty cells"].items()
-    ]
-    columns = say("common.listed", language).join(counts)
-    return tell("empty_cells", language, columns=columns) if counts else ""
+    empty = facts["empty cells"].items()
+    counts = [tell("empty_column", column=column, rows=rows_counted(rows)) for column, rows in empty]
+    return tell("empty_cells", columns=joined(counts)) if counts else NOTHING
 
 
-def first_of(items: Sequence[str], total: int, language: str) -> str:
+def first_of(items: Sequence[str], total: int) -> Phrase:
     """Return the first few of more items, as "2, 3, 4, …"."""
-    return (", " if language == "en" else "、").join([*items, "…"] if total > len(items) else items)
+    shown = [*items, "…"] if total > len(items) else items
+    return ", ".join(shown), "、".join(shown)
 
 
-def rows_told(finding: Mapping[str, Any], language: str) -> str:
+def rows_told(finding: Mapping[str, Any]) -> Phrase:
     """Return how many rows have a finding in common, and which are the first of them."""
-    places = first_of([str(row["row"]) for row in finding["first"]], finding["rows"], language)
-    return tell("rows_alike", language, rows=rows_counted(finding["rows"]), places=places)
+    places = first_of([str(row["row"]) for row in finding["first"]], finding["rows"])
+    return tell("rows_alike", rows=rows_counted(finding["rows"]), places=places)
 
 
-def reason_told(finding: Mapping[str, Any], language: str) -> str:
+def reason_told(finding: Mapping[str, Any]) -> Phrase:
     """Return the reason of a finding; that of its first row as an example, where others differ from it."""
-    reason = finding["reason" if language == "en" else "reason_ja"]
-    return reason if finding["same"] else tell("such_as", language, reason=reason)
+    reason = finding["reason"], finding["reason_ja"]
+    return reason if finding["same"] else tell("such_as", reason=reason)
 
 
-def impossible_told(facts: Mapping[str, Any], language: str) -> list[str]:
+def impossible_told(facts: Mapping[str, Any]) -> list[Phrase]:
     """Return which sets of measures cannot be put in place, in which rows, and why."""
+    key, findings = "not_possible", facts["measures not possible"]
     return [
-        tell(
-            "not_possible",
-            language,
-            name=measures_named(finding["about"], language),
-            rows=rows_told(finding, language),
-            reason=reason_told(finding, language),
-        )
-        for finding in facts["measures not possible"]
+        tell(key, name=measures_named(each["about"]), rows=rows_told(each), reason=reason_told(each))
+        for each in findings
     ]
 
 
-def share_told(value: float | None, language: str) -> str:
+def share_told(value: float | None) -> Phrase:
     """Return a share in per cent; empty where there is none."""
-    if value is None:
-        return ""
-    if math.isnan(value):
-        return say("common.unknown", language)
-    return tell("share", language, value=percent(value))
+    return NOTHING if value is None else tell("share", value=percent(value))
 
 
-def interval_told(value: Callable[[str], float], language: str) -> str:
+def interval_told(value: Callable[[str], float]) -> Phrase:
     """Return a probability with its interval, of a function of "", "_low" and "_high"."""
     estimate, low, high = (percent(value(end)) for end in ("", "_low", "_high"))
-    return say("fragility.probability", language, estimate=estimate, low=low, high=high)
+    return phrase("fragility.probability", estimate=estimate, low=low, high=high)
 
 
-def share_of(total: Total, which: str, language: str) -> str:
+def share_of(total: Total, which: str) -> Phrase:
     """Return the share that overturns with its interval; with "_best" of the best measures."""
     if total.pieces == total.unknown:
-        return tell("given_up", language)
-    return interval_told(lambda end: total.share(f"{which}{end}"), language)
+        return tell("given_up")
+    return interval_told(lambda end: total.share(f"{which}{end}"))
 
 
 def amount(value: float | None) -> str:
@@ -128,90 +138,74 @@ def amount(value: float | None) -> str:
     return "" if value is None else f"{value:,.0f}"
 
 
-def building_named(building: str, language: str) -> str:
-    """Return a building's name, in a language where stayput gave it, or that there is none."""
-    return given_name(building, language) if building else tell("no_building", language)
-
-
-def measures_named(name: str, language: str) -> str:
-    """Return a set of measures as it is called in a language; a name of one's own stays as it is."""
-    if language == "en":
-        return name
+def measures_named(name: str) -> Phrase:
+    """Return a set of measures as it is called in each language; a name of one's own stays as it is."""
     parts = map(str.strip, name.split("+"))
-    return "+".join(say(MEASURES[part].label, language) if part in MEASURES else part for part in parts)
+    return name, "+".join(MEASURES[part].label[1] if part in MEASURES else part for part in parts)
 
 
 def read_as(facts: Mapping[str, Any]) -> Phrase:
-    """Return how a table was read, in both languages, and how many of its rows are empty."""
+    """Return how a table was read, and how many of its rows are empty."""
     how: Phrase = facts["read as"], facts["read as"]
     encoding, _, between = facts["read as"].partition(" with ")
     if between in ("tabs", "semicolons", "bars"):
-        how = phrase(f"inventory_report.with_{between}", encoding=encoding)
+        how = tell(f"with_{between}", encoding=encoding)
     elif sheet := _SHEET.fullmatch(facts["read as"]):
-        key = "sheet" if sheet["others"] is None else "sheet_of_several"
-        how = phrase(f"inventory_report.{key}", **sheet.groupdict())
+        how = tell("sheet" if sheet["others"] is None else "sheet_of_several", **sheet.groupdict())
     empty = facts["empty rows"]
-    return phrase("inventory_report.and_empty", how=how, count=empty) if empty else how
+    return tell("and_empty", how=how, count=empty) if empty else how
 
 
-def expected(total: Total, language: str) -> str:
+def expected(total: Total) -> Phrase:
     """Return how many pieces are expected to overturn, without and with the best measures."""
-    best = ""
+    best = NOTHING
     if total.fallen_best < total.fallen:
-        shared, fallen = share_of(total, "_best", language), f"{total.fallen_best:,.1f}"
-        best = tell("expected_best", language, fallen=fallen, share=shared)
+        best = tell("expected_best", fallen=f"{total.fallen_best:,.1f}", share=share_of(total, "_best"))
     return tell(
         "expected",
-        language,
         fallen=f"{total.fallen:,.1f}",
         pieces=pieces_counted(total.pieces),
         verb=("is" if total.pieces == 1 else "are", ""),
-        share=share_of(total, "", language),
+        share=share_of(total, ""),
         best=best,
     )
 
 
-def against_event(event: str) -> Phrase:
-    """Return what a measure helps against that lessens an event."""
-    return phrase(f"inventory_report.against_{event}")
-
-
-def findings_told(total: Total, language: str) -> str:
+def findings_told(total: Total) -> Phrase:
     """Return what the runs show: of how many pieces a measure helps, none is needed, or nothing is shown."""
-    sentences: list[str] = []
+    sentences: list[Phrase] = []
     for finding in filter(total.findings.get, Finding):
         lessened = [
-            tell("against_counted", language, count=count, against=against_event(event))
+            tell("against_counted", count=count, against=tell(f"against_{event}"))
             for event in RANKING_ORDER
             if (count := total.lessened[finding, event])
         ]
-        values = {"against": say("common.listed", language).join(lessened), "safe": percent(SAFE)}
-        pieces, least = pieces_counted(total.findings[finding]), least_motions()
-        sentences.append(tell(f"{finding}_counted", language, pieces=pieces, least=least, **values))
-    return joined(sentences, language)
+        against, pieces = joined(lessened) if lessened else "", pieces_counted(total.findings[finding])
+        values = {"pieces": pieces, "against": against, "safe": percent(SAFE), "least": least_motions()}
+        sentences.append(tell(f"{finding}_counted", **values))
+    return in_one(sentences)
 
 
-def further(total: Total, language: str) -> str:
+def further(total: Total) -> Phrase:
     """Return what else is known of the pieces: what helps, the loss, what comes out, what is unknown."""
-    sentences = [findings_told(total, language)]
+    sentences = [findings_told(total)]
     if total.loss is not None:
-        loss, best = amount(total.loss), amount(total.loss_best)
-        sentences.append(tell("expected_loss", language, loss=loss, best=best))
-    sentences.append(inside_told(total, language))
+        sentences.append(tell("expected_loss", loss=amount(total.loss), best=amount(total.loss_best)))
+    sentences.append(inside_told(total))
     if total.unknown:
-        sentences.append(tell("nothing_known", language, pieces=pieces_counted(total.unknown)))
-    return joined(sentences, language)
+        sentences.append(tell("nothing_known", pieces=pieces_counted(total.unknown)))
+    return in_one(sentences)
 
 
-def inside_told(total: Total, language: str) -> str:
+def inside_told(total: Total) -> Phrase:
     """Return what share of the contents comes out; empty where there are none."""
     if total.share_out is None:
-        return ""
-    share, best = (share_told(share, language) for share in (total.share_out, total.share_out_best))
-    return tell("inside_out", language, pieces=pieces_counted(total.filled), share=share, best=best)
+        return NOTHING
+    share, best = share_told(total.share_out), share_told(total.share_out_best)
+    return tell("inside_out", pieces=pieces_counted(total.filled), share=share, best=best)
 
 
-def done(facts: Mapping[str, Any], manifest: Mapping[str, Any], contents: bool, language: str) -> list[str]:
+def done(facts: Mapping[str, Any], manifest: Mapping[str, Any], contents: bool) -> list[Phrase]:
     """Return what was read and computed, a sentence or two each.
 
     Parameters
@@ -222,45 +216,40 @@ def done(facts: Mapping[str, Any], manifest: Mapping[str, Any], contents: bool, 
         What the manifest says of the assessment.
     contents : bool
         Whether there is anything inside the pieces.
-    language : str
-        "en" or "ja".
     """
-    read = [tell("read", language, rows=rows_counted(facts["rows"]), how=read_as(facts))]
-    read += [*reversed(_columns_told(facts, language)), empty_told(facts, language)]
+    read = tell("read", rows=rows_counted(facts["rows"]), how=read_as(facts))
     choices = counted_phrase(facts["choices"], "combination", "通り")
-    sentences = [
-        joined(read, language),
-        *(_scenario(scenario, language) for scenario in manifest["scenarios"]),
-        tell("units", language, choices=choices, units=f"{facts['units']:,}"),
-        say("verification.in_plane", language),
-        tell("slide_limit", language, limit=manifest["slide limit"]),
+    return [
+        in_one([read, *reversed(_columns_told(facts)), empty_told(facts)]),
+        *map(_scenario, manifest["scenarios"]),
+        tell("units", choices=choices, units=f"{facts['units']:,}"),
+        phrase("verification.in_plane"),
+        tell("slide_limit", limit=manifest["slide limit"]),
+        *([tell("contents_followed", most=MOTIONS)] if contents else []),
+        tell("intervals"),
+        tell("best_chosen"),
+        *([tell("shake_map", map=tuple(manifest["shake map"]))] if manifest["shake map"] else []),
+        tell("version", version=manifest["version"]),
     ]
-    if contents:
-        sentences.append(tell("contents_followed", language, most=MOTIONS))
-    sentences += [tell("intervals", language), tell("best_chosen", language)]
-    if manifest["shake map"]:
-        sentences.append(tell("shake_map", language, map=tuple(manifest["shake map"])))
-    return [*sentences, tell("version", language, version=manifest["version"])]
 
 
-def _scenario(scenario: Mapping[str, Any], language: str) -> str:
+def _scenario(scenario: Mapping[str, Any]) -> Phrase:
     level, suite = scenario["intensity"], scenario["suite"]
     return tell(
         "scenario",
-        language,
         name=scenario["name"],
-        strength="" if level is None else phrase("inventory_report.at_intensity", value=level),
-        suite=given_name(suite, language) if suite else phrase("inventory_report.one_motion"),
+        strength="" if level is None else tell("at_intensity", value=level),
+        suite=named(suite) if suite else tell("one_motion"),
         motions=counted_phrase(scenario["motions"], "motion", "本"),
-        synthetic=phrase("inventory_report.synthetic") if scenario["synthetic"] else "",
+        synthetic=tell("synthetic") if scenario["synthetic"] else "",
         samples=counted_phrase(scenario["samples"], "Monte Carlo sample", "組"),
         seed=scenario["seed"],
     )
 
 
 def printed_lines(
-    facts: Mapping[str, Any], events: Mapping[str, Total], runs: int, on_map: bool, language: str
-) -> list[str]:
+    facts: Mapping[str, Any], events: Mapping[str, Total], runs: int, on_map: bool
+) -> list[Phrase]:
     """Return what a terminal shows of an assessment, line by line.
 
     Parameters
@@ -273,35 +262,33 @@ def printed_lines(
         Simulations that were done.
     on_map : bool
         Whether the pieces are exported for a map.
-    language : str
-        "en" or "ja".
     """
     rows, pieces = rows_counted(facts["rows"]), f"{facts['pieces']:,}"
-    lines = [tell("printed_read", language, rows=rows, how=read_as(facts), pieces=pieces)]
-    lines += _columns_told(facts, language)
+    lines = [tell("printed_read", rows=rows, how=read_as(facts), pieces=pieces), *_columns_told(facts)]
     if facts["rejects"]:
-        lines.append(tell("printed_rejects", language, rows=rows_counted(facts["rejects"])))
-    for finding in facts["rejects alike"]:
-        alike, reason = rows_told(finding, language), reason_told(finding, language)
-        lines.append(tell("reason_of_rows", language, rows=alike, reason=reason))
-    lines.append(empty_told(facts, language))
+        lines.append(tell("printed_rejects", rows=rows_counted(facts["rejects"])))
+    lines += (
+        tell("reason_of_rows", rows=rows_told(finding), reason=reason_told(finding))
+        for finding in facts["rejects alike"]
+    )
+    lines.append(empty_told(facts))
     without = facts["pieces"] - facts["with coordinates"]
     if without and (on_map or without < facts["pieces"]):
-        lines.append(tell("without_coordinates", language, pieces=pieces_counted(without)))
+        lines.append(tell("without_coordinates", pieces=pieces_counted(without)))
     choices = counted_phrase(facts["choices"], "combination", "通り")
     done_runs = counted_phrase(runs, "run", "回")
-    lines.append(tell("printed_runs", language, choices=choices, units=f"{facts['units']:,}", runs=done_runs))
+    lines.append(tell("printed_runs", choices=choices, units=f"{facts['units']:,}", runs=done_runs))
     for name, total in events.items():
-        lines.append(tell("of_event", language, event=name, expected=expected(total, language)))
-        lines += findings_told(total, language), inside_told(total, language)
-    lines += [narrow_told(facts, language), *impossible_told(facts, language)]
-    return list(filter(None, lines))
+        lines.append(tell("of_event", event=name, expected=expected(total)))
+        lines += findings_told(total), inside_told(total)
+    lines += [narrow_told(facts), *impossible_told(facts)]
+    return [line for line in lines if line != NOTHING]
 
 
-def _columns_told(facts: Mapping[str, Any], language: str) -> list[str]:
+def _columns_told(facts: Mapping[str, Any]) -> list[Phrase]:
     """Return how the columns were understood, and which were not used."""
     return [
-        tell(key, language, columns=", ".join(facts[name]))
+        tell(key, columns=", ".join(facts[name]))
         for key, name in (("renamed", "columns renamed"), ("not_used", "columns not used"))
         if facts[name]
     ]
@@ -333,7 +320,7 @@ def _ink(fill: str) -> str:
 
 
 def storey_map(
-    totals: Mapping[tuple[str, int], Total], best: bool, language: str = "en", roofs: Mapping[str, int] = {}
+    totals: Mapping[tuple[str, int], Total], best: bool, roofs: Mapping[str, int] = {}
 ) -> dict[str, Any]:
     """Return a map of risk: storeys over buildings, each cell with its share in per cent.
 
@@ -343,8 +330,6 @@ def storey_map(
         Totals by building and storey.
     best : bool
         Whether with the best measures.
-    language : str
-        "en" or "ja".
     roofs : mapping
         Number of the roof of each building that has a piece there.
     """
@@ -352,26 +337,27 @@ def storey_map(
     for (building, _), total in totals.items():
         fallen[building] = fallen.get(building, 0.0) + total.fallen
     buildings = sorted(sorted(fallen, key=lambda name: -fallen[name])[:MOST_BUILDINGS], key=_by_number)
+    called = {building: named(building) if building else tell("no_building") for building in buildings}
     rows: list[dict[str, Any]] = []
     for storey in _storeys({storey for building, storey in totals if building in buildings}):
         here = [building for building in buildings if (building, storey) in totals]
         roof = bool(here) and all(roofs.get(building) == storey for building in here)
-        cells: list[dict[str, str] | None] = [None] * len(buildings)
+        cells: list[dict[str, Any] | None] = [None] * len(buildings)
         for building in here:
-            floor = _floor(storey, language, roofs.get(building) == storey)
-            where = tell("place", language, building=building_named(building, language), floor=floor)
-            cells[buildings.index(building)] = _map_cell(totals[building, storey], best, where, language)
-        rows.append({"floor": _floor(storey, language, roof), "cells": cells})
-    return {"buildings": [building_named(building, language) for building in buildings], "rows": rows}
+            floor = _floor(storey, roofs.get(building) == storey)
+            where = tell("place", building=called[building], floor=floor)
+            cells[buildings.index(building)] = _map_cell(totals[building, storey], best, where)
+        rows.append({"floor": _floor(storey, roof), "cells": cells})
+    return {"buildings": [*called.values()], "rows": rows}
 
 
-def _map_cell(total: Total, best: bool, where: str, language: str) -> dict[str, str]:
+def _map_cell(total: Total, best: bool, where: Phrase) -> dict[str, Any]:
     which = "_best" if best else ""
     share, untold = total.share(which), total.untold(which)
     unknown = math.isnan(share)
     fill = "#ffffff" if unknown else UNTOLD if untold else colour(share)
-    text = "?" if unknown else share_of(total, which, language)
-    text = tell("cell", language, place=where, share=text, pieces=pieces_counted(total.pieces))
+    text = "?" if unknown else share_of(total, which)
+    text = tell("cell", place=where, share=text, pieces=pieces_counted(total.pieces))
     shown = ("" if unknown else percent(share)) + ("?" if unknown or untold else "")
     return {"fill": fill, "ink": _ink(fill), "shown": shown, "told": text}
 
@@ -388,17 +374,17 @@ def _storeys(storeys: set[int]) -> list[int]:
     return [n for n in range(max(storeys), low - 1, -1) if n or 0 in storeys]
 
 
-def _floor(storey: int, language: str, roof: bool) -> str:
+def _floor(storey: int, roof: bool) -> Phrase:
     """Return what a storey is called, the ground being 0."""
     if roof:
-        return say("motion.roof", language)
+        return phrase("motion.roof")
     if not storey:
-        return tell("on_ground", language)
-    return tell("floor" if storey > 0 else "basement", language, storey=abs(storey))
+        return tell("on_ground")
+    return tell("floor" if storey > 0 else "basement", storey=abs(storey))
 
 
 def report_html(
-    summary: Summary, facts: Mapping[str, Any], manifest: Mapping[str, Any], language: str = "en"
+    summary: Summary, facts: Mapping[str, Any], manifest: Mapping[str, Any], language: Language = "en"
 ) -> str:
     """Return the report as HTML.
 
@@ -413,39 +399,36 @@ def report_html(
     language : str
         "en" or "ja".
     """
-    maps = [_map(event, summary, facts["roofs"], language) for event in summary.events]
+    roofs, rejects = facts["roofs"], facts["rejects alike"]
     contents = any(row["contents_out_share"] is not None for row in summary.worst)
     rows = rows_counted(facts["rows"] - facts["empty rows"])
-    head = framed(language, "inventory_report", tell("title", language), ["inventory/inventory.css"])
-    page = {
-        **head,
-        "maps": maps,
-        "narrow": narrow_told(facts, language),
-        "several": len(maps) > 1,
-        "worst": [_piece(row, facts["roofs"], language) for row in summary.worst],
+    shares = [(share_told(share), colour(share)) for share in (0.0, 0.25, 0.5, 0.75, 1.0)]
+    content = {
+        "maps": [_map(event, summary, roofs) for event in summary.events],
+        "narrow": narrow_told(facts),
+        "several": len(summary.events) > 1,
+        "worst": [_piece(row, roofs) for row in summary.worst],
         "contents": contents,
         "by_cost": any(row["best_by_cost"] is not None for row in summary.worst),
-        "impossible": impossible_told(facts, language),
+        "impossible": impossible_told(facts),
         "rejects": [
             {
-                "rows": rows_told(finding, language),
-                "pieces": first_of([_called(row) for row in finding["first"]], finding["rows"], language),
-                "reason": reason_told(finding, language),
+                "rows": rows_told(finding),
+                "pieces": first_of([_called(row) for row in finding["first"]], finding["rows"]),
+                "reason": reason_told(finding),
             }
-            for finding in facts["rejects alike"]
+            for finding in rejects
         ],
-        "rejects_counted": tell("rejects_counted", language, rejects=f"{facts['rejects']:,}", rows=rows),
-        "done": done(facts, manifest, contents, language),
-        "ramp": [
-            (share_told(share, language), colour(share), _ink(colour(share)))
-            for share in (0.0, 0.25, 0.5, 0.75, 1.0)
-        ]
-        + [(tell(Finding.TOO_FEW_RUNS, language), UNTOLD, _ink(UNTOLD))],
+        "rejects_counted": tell("rejects_counted", rejects=f"{facts['rejects']:,}", rows=rows),
+        "done": done(facts, manifest, contents),
+        "ramp": [(name, fill, _ink(fill)) for name, fill in (*shares, (tell(Finding.TOO_FEW_RUNS), UNTOLD))],
     }
-    return rendered("inventory/inventory.html", page)
+    title = in_language(tell("title"), language)
+    head = framed(language, "inventory_report", title, ["inventory/inventory.css"])
+    return rendered("inventory/inventory.html", head | in_language(content, language))
 
 
-def _map(event: str, summary: Summary, roofs: Mapping[str, int], language: str) -> dict[str, Any]:
+def _map(event: str, summary: Summary, roofs: Mapping[str, int]) -> dict[str, Any]:
     totals = {(b, s): total for (e, b, s), total in summary.places.items() if e == event}
     total, buildings = summary.events[event], len({building for building, _ in totals})
     left_out = buildings - MOST_BUILDINGS
@@ -453,35 +436,31 @@ def _map(event: str, summary: Summary, roofs: Mapping[str, int], language: str) 
     verb = ("is" if left_out == 1 else "are", "")
     return {
         "event": event,
-        "expected": expected(total, language),
-        "more": further(total, language),
-        "left_out": tell("left_out", language, buildings=more, verb=verb) if left_out > 0 else "",
-        "without": storey_map(totals, False, language, roofs),
-        "best": storey_map(totals, True, language, roofs),
+        "expected": expected(total),
+        "more": further(total),
+        "left_out": tell("left_out", buildings=more, verb=verb) if left_out > 0 else "",
+        "without": storey_map(totals, False, roofs),
+        "best": storey_map(totals, True, roofs),
     }
 
 
-def _piece(row: Mapping[str, Any], roofs: Mapping[str, int], language: str) -> dict[str, Any]:
+def _piece(row: Mapping[str, Any], roofs: Mapping[str, int]) -> dict[str, Any]:
     """Return the cells of a piece at risk."""
-    helped, best = row["best"] != NO_MEASURE, measures_named(row["best"], language)
+    helped, best = row["best"] != NO_MEASURE, measures_named(row["best"])
     by_cost, storey, lessens = row["best_by_cost"], row["storey"], row["best_lessens"]
     if lessens not in (None, OVERTURNED):  # which the columns beside it do not show
-        best = tell("best_against", language, measure=best, against=against_event(lessens))
+        best = tell("best_against", measure=best, against=tell(f"against_{lessens}"))
     return {
         **{key: row[key] for key in ("row", "event", "count")},
         "piece": _called(row),
-        "building": given_name(row["building"] or "", language),
-        "storey": _floor(storey, language, roofs.get(row["building"]) == storey) if storey else "",
-        "overturned": interval_told(lambda end: row[f"overturned{end}"], language),
-        "out": share_told(row["contents_out_share"], language),
-        "best": best if row["finding"] == Finding.HELPED else tell(row["finding"], language, measure=best),
-        "best_overturned": interval_told(lambda end: row[f"best_overturned{end}"], language)
-        if helped
-        else "",
-        "best_out": share_told(row["best_contents_out_share"], language) if helped else "",
-        "best_by_cost": tell("not_worth", language)
-        if by_cost == NO_MEASURE
-        else measures_named(by_cost or "", language),
+        "building": named(row["building"] or ""),
+        "storey": _floor(storey, roofs.get(row["building"]) == storey) if storey else "",
+        "overturned": interval_told(lambda end: row[f"overturned{end}"]),
+        "out": share_told(row["contents_out_share"]),
+        "best": best if row["finding"] == Finding.HELPED else tell(row["finding"], measure=best),
+        "best_overturned": interval_told(lambda end: row[f"best_overturned{end}"]) if helped else "",
+        "best_out": share_told(row["best_contents_out_share"]) if helped else "",
+        "best_by_cost": tell("not_worth") if by_cost == NO_MEASURE else measures_named(by_cost or ""),
         "loss": amount(row["expected_loss"]),
     }
 

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     from stayput.fragility.paired import Difference
     from stayput.inventory.folder import Workspace
-    from stayput.inventory.store import OutcomeStore, Store
+    from stayput.inventory.work import Work
 
 PIECES = "pieces"
 GROUND = ("intensity", "sa", "pga", "pgv")
@@ -269,10 +269,8 @@ def part_names(parts: int) -> list[str]:
 def write_results(
     folder: Path,
     space: Workspace,
-    store: Store,
-    outcomes: OutcomeStore,
+    work: Work,
     metadata: Mapping[str, str],
-    strengths: Callable[[str, float | None], dict[str, float | None]],
     advance: Callable[[int], None],
 ) -> None:
     """Write the parts of the results that are not complete yet.
@@ -283,23 +281,19 @@ def write_results(
         Where they go.
     space : Workspace
         Makes their files.
-    store : Store
-        The plan.
-    outcomes : OutcomeStore
-        Outcomes of all units.
+    work : Work
+        The plan, and the outcomes of all its units.
     metadata : mapping
         Metadata of every part.
-    strengths : callable
-        The numbers of `GROUND` of a scenario and a level from a map.
     advance : callable
         Called with the number of rows that are complete.
     """
-    pa, columns = arrow(), schema(metadata)
+    pa, columns, outcomes = arrow(), schema(metadata), work.outcomes
     folder.mkdir(exist_ok=True)
-    for number, name in enumerate(part_names(store.facts()["parts"])):
+    for number, name in enumerate(part_names(work.store.facts()["parts"])):
         rows, digest = outcomes.part(name) or (0, None)
         if not (folder / name).exists() or digest_of(folder / name) != digest:
-            table = pa.Table.from_pylist(_lines(store.part(number), outcomes, strengths), schema=columns)
+            table = pa.Table.from_pylist(_lines(work.store.part(number), work), schema=columns)
             buffer = io.BytesIO()
             arrow("parquet").write_table(table, buffer, compression="zstd", row_group_size=20_000)
             with space.durable(folder / name) as file:
@@ -309,14 +303,10 @@ def write_results(
         advance(rows)
 
 
-def _lines(
-    rows: list[dict[str, Any]],
-    outcomes: OutcomeStore,
-    strengths: Callable[[str, float | None], dict[str, float | None]],
-) -> list[dict[str, Any]]:
+def _lines(rows: list[dict[str, Any]], work: Work) -> list[dict[str, Any]]:
     """Return the rows of a part of the results from those of the plan."""
     wanted = np.unique(np.concatenate([row["units"] for row in rows]).astype(np.int64))
-    records = outcomes.of(wanted)
+    records = work.outcomes.of(wanted)
     chosen: dict[Any, tuple[Choice, list[dict[str, Any]]]] = {}
     lines: list[dict[str, Any]] = []
     for row in rows:
@@ -326,7 +316,7 @@ def _lines(
             sizes = [0 if name == NO_MEASURE else 1 + name.count("+") for name in row["options"]]
             choice = choose(option_records, sizes, row["costs"], row["value"])
             chosen[key] = choice, [numbers_of(record) for record in option_records]
-        lines.append({**_line(row, *chosen[key]), **strengths(row["station"], row["level"])})
+        lines.append({**_line(row, *chosen[key]), **work.strengths(row["station"], row["level"])})
     return lines
 
 

@@ -180,7 +180,7 @@ def read_scenarios(
     place = Path(path)
     paths = sorted(place.glob("*.toml")) if place.is_dir() else [place]
     if not paths:
-        raise not_allowed("scenario", repr(str(place)), "inventory.scenarios", "scenario")
+        raise not_allowed("scenario", place, "inventory.scenarios", "scenario")
     return _joined([read_scenario_file(path, changed) for path in paths], place.stem, shakemap)
 
 

@@ -134,7 +134,7 @@ def _in_range(
 
 def _check_event(grid: MapGrid, path: Path, other: MapGrid, uncertainty: Path) -> None:
     """Refuse the uncertainty of another earthquake or version; warn where one of the two does not say it."""
-    named: dict[str, Any] = {"path": repr(str(path)), "other": repr(str(uncertainty))}
+    named: dict[str, Any] = {"path": path, "other": uncertainty}
     if not (grid.event and other.event):
         warn(InputWarning("inventory_tables.event_unstated", "uncertainty", **named))
     elif grid.event != other.event:
@@ -146,11 +146,9 @@ def _deviations(other: MapGrid, grid: MapGrid, field: MapField, path: Path) -> N
     name = next((each for each in other.values if each.lower() == f"std{field.name}".lower()), None)
     if name is None or np.isnan(other.values[name]).all():
         allowed = phrase("inventory_tables.no_deviations", name=f"STD{field.name}")
-        raise not_allowed("inventory.the_uncertainty", repr(str(path)), allowed, "uncertainty")
-    same = all(np.array_equal(a, b) for a, b in ((other.lats, grid.lats), (other.lons, grid.lons)))
-    if not same:
-        allowed = "inventory_tables.other_grid"
-        raise not_allowed("inventory.the_uncertainty", repr(str(path)), allowed, "uncertainty")
+        raise not_allowed("inventory.the_uncertainty", path, allowed, "uncertainty")
+    if not (np.array_equal(other.lats, grid.lats) and np.array_equal(other.lons, grid.lons)):
+        raise not_allowed("inventory.the_uncertainty", path, "inventory_tables.other_grid", "uncertainty")
     unit = other.units[name]
     if re.fullmatch(r"intensity|mmi|" if field.mercalli else r"ln( *\(.*\))?", unit.strip().lower()) is None:
         known = "intensity" if field.mercalli else f"ln({field.unit})"
@@ -187,9 +185,9 @@ def _of_csv(path: Path, wanted: str | None) -> ShakeMap:
                         value, other = f"{lat:g}, {lon:g}", phrase("inventory.row", row=before)
                         raise InputError("scenario.same_name", name=name, value=value, other=other)
     except (UnicodeDecodeError, csv.Error):
-        raise not_allowed("inventory.the_map", repr(str(path)), "inventory.map_not_csv", "shakemap") from None
+        raise not_allowed("inventory.the_map", path, "inventory.map_not_csv", "shakemap") from None
     if not rows:
-        raise not_allowed("inventory.the_map", repr(str(path)), "inventory.map_empty", "shakemap")
+        raise not_allowed("inventory.the_map", path, "inventory.map_empty", "shakemap")
     _, values, sigmas = np.array(list(rows.values())).T
     levels, scatters = field.levels(values), field.scatters(values, sigmas if has_sigma else None)
     lat, lon = np.array(list(rows)).T
@@ -281,4 +279,4 @@ def read_grid(path: Path) -> MapGrid:
 
 def _refused(path: Path, key: str, **values: object) -> InputError:
     reason = phrase(f"inventory_tables.grid_{key}", **values)
-    return InputError("common.unreadable", "shakemap", file=repr(str(path)), reason=reason)
+    return InputError("common.unreadable", "shakemap", file=path, reason=reason)

@@ -1,7 +1,7 @@
 """What an assessment keeps in SQLite: its plan (checked rows, rejects, units to simulate), and the outcomes.
 
 A unit is a body with its contents in a room, with a set of measures, at a site (a storey under a shaking of
-the ground). Each of these is identified by a spec: a text that keeps every bit of its numbers. The outcomes
+the ground). Each of these is identified by a spec: its text by `stayput.saved`, with every bit. The outcomes
 of units are records of fixed size; what was saved stays when the process is killed.
 """
 
@@ -12,18 +12,13 @@ import json
 import sqlite3
 import zlib
 from contextlib import closing
-from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from cachetools import FIFOCache
 
-from stayput.contents.contents import Contents
-from stayput.inventory.shakemap import GroundLevel
-from stayput.measures import MEASURES, parameters
-from stayput.model.flat_fields import flat_fields, from_flat_fields
-from stayput.model.state import State
 from stayput.montecarlo.counting import EVENTS
+from stayput.saved import from_text, to_text
 from stayput.scenario.tables import BuildingTable
 
 if TYPE_CHECKING:
@@ -32,9 +27,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.measures import Measure
-    from stayput.model.body import Body
-    from stayput.model.room import Room
+    from stayput.inventory.shakemap import GroundLevel
 
 MOST_CACHED = 800_000
 """Numbers of pieces, units and the like that are kept in memory."""
@@ -181,46 +174,15 @@ class Store:
 
 
 def ground_spec(station: int, level: GroundLevel | None, building: BuildingTable | None) -> str:
-    """Return the spec of a building's shaking as text: scenario, level from a map, building."""
+    """Return the spec of a building's shaking: scenario, level from a map, building."""
     table = None if building is None else building.model_dump(exclude_defaults=True)
-    return json.dumps([station, level, table], sort_keys=True)
+    return to_text((station, level, table))
 
 
 def ground_of(spec: str) -> tuple[int, GroundLevel | None, BuildingTable | None]:
     """Return the scenario, the level and the building of a spec; the inverse of `ground_spec`."""
-    station, level, table = json.loads(spec)
-    building = None if table is None else BuildingTable.model_validate(table)
-    return station, None if level is None else GroundLevel(*level), building
-
-
-def piece_spec(body: Body, room: Room, contents: Contents | None = None) -> str:
-    """Return a body in a room, and what is inside it, as text, each number with all its bits."""
-    table = None if contents is None else asdict(contents)
-    return json.dumps([flat_fields(body, room, State(), 1.0), table])
-
-
-def piece_of(spec: str) -> tuple[Body, Room, Contents | None]:
-    """Return the body, the room and the contents of a spec; the inverse of `piece_spec`."""
-    numbers, table = json.loads(spec)
-    body, room, _ = from_flat_fields(numbers)
-    if table is None:
-        return body, room, None
-    loads = table.pop("loads")
-    return body, room, Contents(**table, loads=None if loads is None else tuple(loads))
-
-
-def measures_spec(measures: tuple[Measure, ...]) -> str:
-    """Return measures as text."""
-    tables = [
-        {"type": measure.kind, **{p.name: getattr(measure, p.name) for p in parameters(measure)}}
-        for measure in measures
-    ]
-    return json.dumps(tables, sort_keys=True)
-
-
-def measures_of(spec: str) -> tuple[Measure, ...]:
-    """Return the measures of a spec; the inverse of `measures_spec`."""
-    return tuple(MEASURES[table.pop("type")](**table) for table in json.loads(spec))
+    station, level, table = from_text(spec)
+    return station, level, None if table is None else BuildingTable.model_validate(table)
 
 
 def record_type(motions: int, samples: int) -> np.dtype[np.void]:

@@ -132,11 +132,11 @@ def _readable(path: Path) -> Generator[None]:
         raise unreadable(path, error) from None
     except Exception as error:  # of a broken file libraries say this or that
         reason = " ".join(str(error).split())[:200].rstrip(" .")
-        raise InputError("common.unreadable", "inventory", file=repr(str(path)), reason=reason) from error
+        raise InputError("common.unreadable", "inventory", file=path, reason=reason) from error
 
 
 def _refused(path: Path, allowed: str, **values: object) -> InputError:
-    return not_allowed("inventory.the_file", repr(str(path)), phrase(allowed, **values), "inventory")
+    return not_allowed("inventory.the_file", path, phrase(allowed, **values), "inventory")
 
 
 def _encoding(path: Path) -> str:

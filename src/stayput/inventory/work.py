@@ -15,12 +15,16 @@ import numpy as np
 
 from stayput.errors import InputError
 from stayput.execution import Shared
+from stayput.fragility.intensity_measures import JMA_INTENSITY, PGA, PGV
 from stayput.inventory.folder import OUTCOMES
-from stayput.inventory.store import OutcomeStore, ground_of, measures_of, piece_of, record_type
+from stayput.inventory.results import GROUND
+from stayput.inventory.shakemap import GroundLevel
+from stayput.inventory.store import OutcomeStore, ground_of, record_type
 from stayput.montecarlo.counting import OVERTURNED, Outcomes, Quantiles
 from stayput.montecarlo.hazard import Ground, PreparedFloor
 from stayput.montecarlo.runs import run_prepared
 from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
+from stayput.saved import from_text
 from stayput.verification.contents import first_draws, share_out, spilt_under
 
 if TYPE_CHECKING:
@@ -84,7 +88,8 @@ def evaluate(
     tuple
         Their records, and the runs that were done.
     """
-    option, runs = measures_of(measures), 0
+    option: tuple[Measure, ...] = tuple(from_text(measures))
+    runs = 0
     records = np.zeros(len(units), kind)
     records["unit"] = [number for number, _ in units]
     records["out"] = np.nan
@@ -104,7 +109,7 @@ def _block(
 ) -> int:
     """Simulate a block of units, fill in their records and return the number of runs."""
     runs = 0
-    pieces = [piece_of(spec) for spec in specs]
+    pieces: list[tuple[Body, Room, Contents | None]] = [from_text(spec) for spec in specs]
 
     def run(places: list[int], samples: int, start: int) -> list[Outcomes]:
         nonlocal runs
@@ -239,6 +244,8 @@ class Work:
         self.guesses = {option: runs * FIRST_GUESS["{" in spec] for option, spec in self.options.items()}
         self.guess_left = sum(self.guesses[option] * n for option, n in store.units_by_option().items())
         self.runs, self.seconds, self.guessed = 0, 0.0, 0.0
+        self.strengths = lru_cache(maxsize=10_000)(self._strengths_of)
+        """How strongly the ground shakes in a scenario, at a map's level: the numbers of `GROUND`."""
 
     def close(self) -> None:
         """Close what outcomes are kept in."""
@@ -259,6 +266,27 @@ class Work:
             self.grounds[station] = ground
         return self.grounds[station]
 
+    def _factors(self, station: int, level: GroundLevel | None) -> NDArray[np.float64]:
+        """Return the factors of a scenario's motions: to the strength that it states, or to a map's level."""
+        shaking, seed = self.scenarios.all[station].scenario.shaking, self.settings[station].seed
+        if level is None:
+            return self.ground(station).stated(shaking.strength, shaking.scale, seed)
+        return self.ground(station).factors(level.level, level.scatter, seed)
+
+    def _strengths_of(self, scenario: str, level: float | None) -> dict[str, float | None]:
+        station = next(n for n, file in enumerate(self.scenarios.all) if file.name == scenario)
+        measure, stated = self.scenarios.measure, self.scenarios.all[station].scenario.shaking.strength
+        numbers = dict[str, float | None].fromkeys(GROUND)
+        if level is not None and measure == JMA_INTENSITY:
+            return {**numbers, "intensity": float(level)}
+        if level is None and stated is not None and stated.measure == "JMA":
+            return {**numbers, "intensity": stated.level}
+        if level is not None:
+            name = "sa" if measure.period is not None else "pga" if measure == PGA else "pgv"
+            numbers[name] = 10.0**level * (PGV.shown if name == "pgv" else 1.0)
+        factors = self._factors(station, None if level is None else GroundLevel(level))
+        return {**numbers, "intensity": self.ground(station).median_intensity(factors)}
+
     def tasks(self, width: int) -> Generator[Callable[[], TaskOutcome]]:
         """Yield tasks, each for one storey, those of a building one after another.
 
@@ -267,12 +295,7 @@ class Work:
         grounds: dict[int, Shared[Ground]] = {}
         for spec, sites in self.store.grounds():
             station, level, building = ground_of(spec)
-            ground, shaking = self.ground(station), self.scenarios.all[station].scenario.shaking
-            seed = self.settings[station].seed
-            if level is None:
-                factors = ground.stated(shaking.strength, shaking.scale, seed)
-            else:
-                factors = ground.factors(level.level, level.scatter, seed)
+            ground, factors = self.ground(station), self._factors(station, level)
             if station not in grounds:
                 grounds[station] = Shared(_itself, ground)
             size = SAMPLE_BYTES * sum(len(motion.x) for motion in ground.motions)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
@@ -138,16 +139,12 @@ def piece_results(run: Run) -> list[dict[str, Any]]:
             "overturned": None if lost else piece.overturned,
             "overturn_time_s": number(piece.overturn_time),
             "fell_off": None if lost else piece.fell_off,
-            "fall_time_s": number(piece.fall_time),
-            "peak_tilt_rad": number(piece.peak_tilt),
-            "peak_slide_m": number(piece.peak_slide),
-            "residual_tilt_rad": number(piece.residual_tilt),
+            **attributes(piece, "fall_time_s", "peak_tilt_rad", "peak_slide_m", "residual_tilt_rad"),
             "residual_slide_m": [number(way) for way in left(piece)],
             "residual_yaw_rad": number(piece.yaw[-1]),
             "place_m": [number(part) for part in place[-1].tolist()],
             "attitude": [number(part) for part in attitude[-1].tolist()],
-            "floor_impacts": piece.floor_impacts,
-            "wall_impacts": piece.wall_impacts,
+            **attributes(piece, "floor_impacts", "wall_impacts"),
             "impacts_on_bodies": piece.body_impacts,
         }
         for name, piece, place, attitude in zip(run.names, run.pieces, run.place, run.attitude, strict=True)
@@ -160,13 +157,8 @@ def device_results(device: DeviceResult) -> dict[str, Any]:
         "kind": device.kind,
         "label": by_language(device.label),
         "name": device.place,
-        "peak_pull_n": device.peak_pull,
-        "peak_push_n": device.peak_push,
-        "peak_shear_n": device.peak_shear,
-        "utilisation": number(device.utilisation),
-        "failed": device.failed,
-        "failure_time_s": number(device.failure_time),
-        "cause": device.cause,
+        **attributes(device, "peak_pull_n", "peak_push_n", "peak_shear_n"),
+        **attributes(device, "utilisation", "failed", "failure_time_s", "cause"),
         "weakest": None if device.weakest is None else by_language(device.weakest),
     }
 
@@ -217,10 +209,7 @@ def summary(run: Run) -> dict[str, Any]:
 def motion_data(motion: Motion) -> dict[str, Any]:
     """Return what a motion is as plain values."""
     return {
-        **attributes(motion, "name", "source", "synthetic"),
-        "dt_s": motion.dt,
-        "duration_s": number(motion.duration),
-        "pga_m_s2": number(motion.pga),
+        **attributes(motion, "name", "source", "synthetic", "dt_s", "duration_s", "pga_m_s2"),
         "floor": motion.floor or None,
     }
 
@@ -362,9 +351,17 @@ def number(value: float) -> float | None:
     return float(value) if math.isfinite(value) else None
 
 
-def attributes(value: object, *names: str) -> dict[str, Any]:
-    """Return attributes of a value by their names; None in place of a number that is not finite."""
-    return {name: number(part) if isinstance(part := getattr(value, name), float) else part for name in names}
+_UNIT = re.compile("_(bytes|count|kg|m|m_s|m_s2|n|rad|s)$")
+
+
+def attribute(value: object, key: str) -> Any:
+    """Return the attribute of a value that a key names, with its unit behind it."""
+    return getattr(value, key if hasattr(value, key) else _UNIT.sub("", key))
+
+
+def attributes(value: object, *keys: str) -> dict[str, Any]:
+    """Return attributes of a value by keys; None in place of a number that is not finite; see `attribute`."""
+    return {key: number(part) if isinstance(part := attribute(value, key), float) else part for key in keys}
 
 
 def by_language(text: Phrase) -> dict[str, str]:
