@@ -278,7 +278,7 @@ REFUSED = {
         (knet_csv(rows=ROWS[:1]), "at least 2"),
         (knet_csv()[:-14], "ends within a number"),
         (knet_csv().replace("7.500000", "x"), "'x'"),
-        (knet_csv(names="#Datetime,Relative Time(s),NS,NS,UD"), "3 channels, not those of one sensor"),
+        (knet_csv(names="#Datetime,Relative Time(s),NS,NS,UD"), "3 channels are not those of one sensor"),
     ],
     "esm": [
         (esm(DATA_TYPE="VELOCITY"), "'VELOCITY'"),

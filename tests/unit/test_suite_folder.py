@@ -103,7 +103,7 @@ def test_titles_without_directions_are_joined_by_the_number_too(peer):
         file.write_text(text.replace(title, title.rpartition(" ")[0]), encoding="utf-8")
     with pytest.raises(
         sp.InputError,
-        match=r"RSN1106_KOBE_KJM-DWN.AT2 .*3 channels, not those of one sensor; component must name",
+        match=r"RSN1106_KOBE_KJM-DWN.AT2 .*3 channels are not those of one sensor; component must name",
     ):
         read(peer)
     for file in peer.glob("*-*.AT2"):
@@ -151,7 +151,7 @@ def test_three_horizontal_files_of_one_record_are_refused(tmp_path, copies):
         (tmp_path / name).write_text(peer_file(f"QUAKE, PLACE, {direction}", 1.0), encoding="utf-8")
     with pytest.raises(
         sp.InputError,
-        match=f"{copies[0]}.*3 channels, not those of one sensor; component must name one of 000",
+        match=f"{copies[0]}.*3 channels are not those of one sensor; component must name one of 000",
     ):
         read(tmp_path)
 

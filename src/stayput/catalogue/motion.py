@@ -80,7 +80,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{component}成分の時間刻みが{dt:g}秒です。x成分と同じ{x_dt:g}秒でなければなりません。",
     ),
     "many_channels": (
-        "The file has {count} channels, not those of one sensor; component must name one of {channels}; of a table, {option} may.",
+        "{count} channels are not those of one sensor; component must name one of {channels}, or {option} those of a table.",
         "1つの地震計のものではない{count}個のチャンネルがあります。使うものを次から選んで入力してください：「{channels}」。数値の列では、列を「{option}」で指定することもできます。",
     ),
     "vertical_component": (

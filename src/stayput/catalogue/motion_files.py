@@ -74,7 +74,10 @@ TEXTS: dict[str, tuple[str, str]] = {
             "{component} oscillates about {mean:.4g} m/s², {share:.3g} % of its peak, which leaves "
             "the floor moving at {velocity:.3g} m/s; an instrument's offset must be taken off ({option})."
         ),
-        "{component}成分の加速度が{mean:.4g} m/s²を中心に振動し（最大値の{share:.3g}%）、最後に床が{velocity:.3g} m/sで動き続けます。計器のオフセットであれば、平均を除いてください（{option}）。",
+        (
+            "{component}成分の加速度が{mean:.4g} m/s²を中心に振動し（最大値の{share:.3g}%）、最後に床が"
+            "{velocity:.3g} m/sで動き続けます。計器のオフセットであれば、平均を除いてください（{option}）。"
+        ),
     ),
     "late_offset": (
         "From {begin:.3g} s on the acceleration of {component} oscillates about {mean:.4g} m/s²; check it.",
@@ -191,7 +194,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "columns_of_numbers": ("columns of numbers", "数値の列"),
     "file_and_form": ("{file} ({form})", "{file}（{form}）"),
     "column_count": (
-        "The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, z), or {option} as {example}.",
+        (
+            "The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, z), "
+            "unless {option} says which: {example}."
+        ),
         "{columns}列あります。1列（加速度）、2列（時刻と加速度）、4列（時刻とx、y、z）にするか、どれがそれらの列かを「{option}」で指定してください（例：「{example}」）。",
     ),
     "column_first_row": (
