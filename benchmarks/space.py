@@ -24,11 +24,8 @@ import workload as work
 from mujoco_block import middles
 from start import program_seconds
 from stayput.mechanics.columns import OVERTURNED_OUTCOME
-from stayput.mechanics.runner import no_elements
-from stayput.model.flat_fields import case_columns
 from stayput.model.parameters import STANDARD_GRAVITY
-from stayput.model.state import State
-from stayput.simulation.space import results_of, trace_case
+from stayput.simulation.space import ENDS, results_of, trace_together
 from stayput.simulation.space_engine import SpaceShaking
 
 if TYPE_CHECKING:
@@ -69,12 +66,10 @@ class FreeBox:
     friction: float
     scale: float
 
-    def row(self) -> NDArray[np.void]:
-        """Return it as a row of the mechanics' table."""
+    def scene(self) -> sp.Scene:
+        """Return it by itself on its floor."""
         body = sp.Body(self.width, self.height, 1.0, length=self.length)
-        row = case_columns(body, sp.Room(sp.Floor(self.friction, self.friction)), State(), STANDARD_GRAVITY)
-        row["scale"] = self.scale
-        return row
+        return sp.Scene([sp.Piece(body)], sp.Room(sp.Floor(self.friction, self.friction)))
 
     def model(self, step: float) -> mujoco.MjModel:
         """Compile it for MuJoCo."""
@@ -133,13 +128,15 @@ class Tilts:
 
 def ours(boxes: list[FreeBox], motion: sp.Motion, step: float) -> Tilts:
     """Run the boxes here, on this thread; after the first step size solids are made, as MuJoCo's models."""
-    shaking, none = SpaceShaking.of(motion), no_elements(0, 1)[0]
-    rows = [box.row()[0] for box in boxes]
-    trace_case(rows[0], none, shaking, step)
-    peak, seconds = np.zeros(len(rows)), np.zeros(len(rows))
-    for n, row in enumerate(rows):
+    shaking, scenes = SpaceShaking.of(motion), [box.scene() for box in boxes]
+    trace_together(scenes[0], shaking, STANDARD_GRAVITY, step)
+    peak, seconds = np.zeros(len(boxes)), np.zeros(len(boxes))
+    for n, (box, scene) in enumerate(zip(boxes, scenes, strict=True)):
         start = time.process_time()
-        result = results_of(trace_case(row, none, shaking, step), shaking.times)[0]
+        scaled = SpaceShaking(box.scale * shaking.acceleration, shaking.dt)
+        result = results_of(trace_together(scene, scaled, STANDARD_GRAVITY, step, lies=ENDS), shaking.times)[
+            0
+        ]
         seconds[n] = time.process_time() - start
         peak[n] = np.inf if result["outcome"] == OVERTURNED_OUTCOME else result["peak_tilt"]
     return Tilts(peak, seconds)

@@ -19,11 +19,6 @@ import numpy as np
 
 import stayput as sp
 from csv_tables import tell, three
-from stayput.measures import hold
-from stayput.measures.measure import element_rows
-from stayput.model.flat_fields import case_columns
-from stayput.model.parameters import STANDARD_GRAVITY
-from stayput.simulation.many import run_columns
 
 STEP, FINER, FINEST = 1e-3, 1e-4, 6e-5
 """The default step, and those of references [s]."""
@@ -148,13 +143,12 @@ def cost(folder: Path | None, processes: int) -> None:
     motions = [motion.to_intensity("6-upper") for motion in sp.synthetic_suite("mixed", 8, seed=1)]
     rows: list[list[str]] = []
     for kind, was in KINDS.items():
-        held = hold(bookcase, room, [] if kind == "none" else [sp.MEASURES[kind]()], dimensions=3)
-        cases = np.repeat(case_columns(held.body, held.room, sp.State(), STANDARD_GRAVITY), 8)
-        elements = np.array([element_rows(held)] * 8) if held.elements else None
+        measures = [] if kind == "none" else [sp.MEASURES[kind]()]
+        case = sp.Case(bookcase, room, motions[0], measures=measures, dimensions=3)
         spent: list[float] = []
         for _ in range(4):  # the first compiles
             start = time.process_time()
-            run_columns(cases, elements, motions, np.arange(8), dimensions=3, threads=1)
+            sp.simulate_many(case, {"motion": motions}, threads=1, progress=False)
             spent.append(time.process_time() - start)
         rows.append([kind, f"{125.0 * min(spent):.0f}", f"{was:.0f}"])
     means = [np.mean([float(row[column]) for row in rows]) for column in (1, 2)]

@@ -104,10 +104,8 @@ class Carrier:
     failed: bool
 
     @classmethod
-    def of(
-        cls, case: np.void, elements: NDArray[np.void], shaken: Shaking | SpaceShaking, height: float
-    ) -> Carrier:
-        """Follow a piece on a floor that moves, in the engine that the motion is prepared for.
+    def of(cls, case: np.void, elements: NDArray[np.void], shaken: Shaking, height: float) -> Carrier:
+        """Follow a piece in the plane on a floor that moves.
 
         Parameters
         ----------
@@ -115,16 +113,11 @@ class Carrier:
             The piece where it stands.
         elements : ndarray of ELEMENT, shape [n]
             What holds it.
-        shaken : Shaking or SpaceShaking
+        shaken : Shaking
             How the floor moves.
         height : float
             Height of the piece [m].
         """
-        if not isinstance(shaken, Shaking):
-            from stayput.simulation.space import ENDS, trace_case  # SciPy takes its time to load
-
-            fine = shaken.refined(parts(shaken.dt))
-            return cls.of_trace(case, fine, trace_case(case, elements, fine, lies=ENDS), height)
         floor, cut = shaken.floor, parts(shaken.floor.dt)
         dt = floor.dt / cut
         along, up = refine(floor.ax, cut), refine(floor.az, cut)
@@ -145,9 +138,10 @@ class Carrier:
         )
 
     @classmethod
-    def of_trace(cls, case: np.void, shaken: SpaceShaking, traced: Trace, height: float) -> Carrier:
+    def of_trace(cls, shaken: SpaceShaking, traced: Trace, height: float) -> Carrier:
         """Return a piece that moved by itself in space; the rest as for `in_space`."""
-        (turn, *_), (fate, *_) = traced.turns_and_fates()
+        (turn, *_), (fate, *_), case = *traced.turns_and_fates(), traced.bodies[0].floor.copy()
+        case["gravity"] = traced.gravity
         failed = fate.outcome is Outcome.FAILED
         return cls.in_space(case, shaken, traced.trace.place[0], turn, fate.fell, height, failed)
 

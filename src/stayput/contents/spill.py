@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
-from stayput.contents.carrier import STEP, Carrier
+from stayput.contents.carrier import STEP, Carrier, parts
 from stayput.contents.contents import STOPPED, Contents
 from stayput.contents.items import (
     items_of,
@@ -24,8 +24,8 @@ from stayput.mechanics import columns as col
 from stayput.mechanics.runner import run_cases, shaking, trace
 from stayput.model.flat_fields import case_columns
 from stayput.model.state import State
-from stayput.simulation.case import Case
-from stayput.simulation.many import prepared_motion
+from stayput.simulation.case import Case, scene_of
+from stayput.simulation.many import plane_shaking
 from stayput.simulation.run import Run
 
 if TYPE_CHECKING:
@@ -164,12 +164,24 @@ def _run_again(of: Run | Case) -> tuple[Carrier, Body]:
     """Follow a piece by itself at finer samples; return it as it is held, too."""
     if of.contact != "coulomb":
         raise not_allowed("model.contact", repr(of.contact), "contents.needs_coulomb", "contact")
-    dimensions = 3 if isinstance(of, Case) and of.in_space else 2
+    if isinstance(of, Case) and of.in_space:
+        return _in_space(of)
     held = of.held if isinstance(of, Run) else None
-    held = hold(of.body, of.room, of.measures, dimensions=dimensions) if held is None else held
+    held = hold(of.body, of.room, of.measures) if held is None else held
     case = case_columns(held.body, held.room, of.initial, of.gravity)[0]
-    shaken = prepared_motion(of.motion, dimensions, col.COULOMB)
-    return Carrier.of(case, element_rows(held), shaken, held.body.height), held.body
+    return Carrier.of(case, element_rows(held), plane_shaking(of.motion), held.body.height), held.body
+
+
+def _in_space(of: Case) -> tuple[Carrier, Body]:
+    from stayput.simulation.space import ENDS, trace_together  # SciPy takes its time to load
+    from stayput.simulation.space_engine import SpaceShaking
+
+    coarse, scene = SpaceShaking.of(of.motion), scene_of(of.body, of.room, of.measures)
+    fine = coarse.refined(parts(coarse.dt))
+    traced = trace_together(scene, fine, of.gravity, initial=of.initial, lies=ENDS)
+    held = traced.bodies[0].held
+    assert held is not None  # a body in its section
+    return Carrier.of_trace(fine, traced, held.body.height), held.body
 
 
 def _in_run(run: Run, piece: int) -> tuple[Carrier, Body]:

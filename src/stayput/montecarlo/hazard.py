@@ -20,7 +20,7 @@ from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import of_the_ground
 from stayput.motion.ground_shaking import GroundStrength, horizontal_peak, horizontal_sa
 from stayput.motion.intensity import factor_to_intensity, mercalli_beyond
-from stayput.simulation.many import prepared_motion
+from stayput.simulation.many import plane_shaking
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from stayput.motion.suites.suite import Suite
     from stayput.scenario import Scenario
     from stayput.scenario.tables import BuildingTable
-    from stayput.simulation.space_engine import SpaceShaking
 
 
 def growth(measure: IntensityMeasure) -> float:
@@ -186,13 +185,13 @@ class Ground:
 class PreparedFloor:
     """The motions under the furniture of one storey as the kernels read them, and the factors on them."""
 
-    shakings: tuple[Shaking | SpaceShaking, ...]
+    shakings: tuple[Shaking, ...]
     scales: NDArray[np.float64]
 
     @classmethod
     def of(cls, motions: Iterable[Motion], scales: NDArray[np.float64]) -> PreparedFloor:
         """Prepare motions for the kernels in the plane."""
-        return cls(tuple(prepared_motion(motion, 2) for motion in motions), scales)
+        return cls(tuple(map(plane_shaking, motions)), scales)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

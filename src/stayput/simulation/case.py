@@ -231,13 +231,11 @@ def simulate(
     body = checked.body
     refuse_bad_start(body, around, start)
     if checked.in_space:
-        from stayput.simulation.space import simulate_held
-        from stayput.simulation.space_engine import STEP
+        from stayput.simulation.space import simulate_scene
 
         if contact != "coulomb":
             raise not_allowed("model.contact", repr(contact), "model.coulomb_in_space", "contact")
-        placed = hold(body, around, checked.measures, dimensions=3)
-        return simulate_held(placed, element_rows(placed), shaken, start, gravity, step or STEP)
+        return simulate_scene(scene_of(body, around, asked), shaken, gravity, step, start)
     if most_events is not None:
         most_events = whole_within("most_events", most_events, 2, 10**9, "", "most_events")
     held = hold(body, around, checked.measures)
@@ -268,6 +266,14 @@ def _in_scene(
     if motion is not None:
         raise InputError("common.left_out", "room", where=phrase("model.room_of_a_scene"))
     return standing, Motion.given(room)
+
+
+def scene_of(body: Body, room: Room, measures: Sequence[Measure]) -> Scene:
+    """Return the scene of a body in a room with its measures."""
+    from stayput.simulation.piece import Piece
+    from stayput.simulation.scene import Scene
+
+    return Scene([Piece(body, measures=measures)], room)
 
 
 def law_number(contact: str) -> int:

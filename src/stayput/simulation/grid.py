@@ -72,7 +72,12 @@ class CaseBlock:
     def held(self) -> tuple[NDArray[np.void], NDArray[np.void]]:
         """Return the rows with the measures in place, shape [count], and the elements, shape [count, n]."""
         numbers: Any = self.base | self.columns
-        return held_rows(numbers, self.count, self.measures, self.dimensions)
+        return held_rows(numbers, self.count, self.measures)
+
+    def numbers(self, place: int) -> dict[str, float]:
+        """Return the numbers of one case by path."""
+        varied = {path: _number(values.astype(np.float64), place) for path, values in self.columns.items()}
+        return self.base | varied
 
     def group(self) -> NDArray[np.int64]:
         """Return 2·motion + law for each case, shape [count]: cases of one group are run together."""
@@ -131,9 +136,8 @@ class Grid:
         for start in range(0, len(self), CHECKED_AT_ONCE):
             block = self.block(start, min(start + CHECKED_AT_ONCE, len(self)))
             for row in sorted(_extreme_rows(block)):
-                numbers = {k: float(v[row]) for k, v in block.columns.items() if len(v) == block.count}
                 try:
-                    self._refuse_bad_case(self.base | numbers)
+                    self._refuse_bad_case(block.numbers(row))
                 except InputError as error:
                     if len(self) == 1:
                         raise
@@ -141,15 +145,16 @@ class Grid:
                     raise error.at(where) from None
 
     def _refuse_bad_case(self, numbers: dict[str, float]) -> None:
-        _, room, _ = from_flat_fields(numbers)
-        if self.dimensions == 2:
-            room.refuse_side_walls()
-        _, elements = held_rows(numbers, 1, self.measures, self.dimensions)
+        body, room, _ = from_flat_fields(numbers)
         if self.dimensions == 3:
-            if math.isnan(numbers["body.length"]):
+            if body.length is None:
                 raise no_length()
             if numbers[LAW] != 0.0:
                 raise not_allowed("model.contact", repr("paper"), "model.coulomb_in_space", LAW)
+            hold(body, room, self.measures, dimensions=3)
+            return
+        room.refuse_side_walls()
+        _, elements = held_rows(numbers, 1, self.measures)
         if elements.size and numbers[LAW] != 0.0:
             raise not_allowed("model.contact", repr("paper"), "mechanics.elements_need_coulomb", LAW)
 
@@ -211,9 +216,9 @@ def _initial_clearances(rows: NDArray[np.void]) -> list[NDArray[np.float64]]:
 
 
 def held_rows(
-    numbers: Mapping[str, NumberOrColumn], count: int, measures: tuple[Measure, ...], dimensions: int = 2
+    numbers: Mapping[str, NumberOrColumn], count: int, measures: tuple[Measure, ...]
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
-    """Return rows of cases with their measures in place: CASE, shape [count], and ELEMENT, shape [count, n].
+    """Return rows of cases in the plane with measures in place: CASE, shape [count], and ELEMENT, [count, n].
 
     Putting measures in place makes objects, so it is done once for each combination of body and room.
 
@@ -225,8 +230,6 @@ def held_rows(
         Number of cases.
     measures : tuple of Measure
         The measures, the same for all.
-    dimensions : int
-        2 in the plane, 3 in space.
 
     Raises
     ------
@@ -245,8 +248,7 @@ def held_rows(
     keys = np.array([row.tobytes() for row in table])
     _, first, which = np.unique(keys, return_index=True, return_inverse=True)
     pairs = [
-        _put_in_place({k: _number(v, row) for k, v in numbers.items()}, measures, dimensions)
-        for row in first.tolist()
+        _put_in_place({k: _number(v, row) for k, v in numbers.items()}, measures) for row in first.tolist()
     ]
     changed = {path: np.array([fields[path] for fields, _ in pairs])[which] for path in pairs[0][0]}
     return case_rows({**numbers, **changed}, count), np.stack([rows for _, rows in pairs])[which]
@@ -259,10 +261,10 @@ def _number(values: NumberOrColumn, row: int) -> float:
 
 
 def _put_in_place(
-    numbers: dict[str, float], measures: tuple[Measure, ...], dimensions: int
+    numbers: dict[str, float], measures: tuple[Measure, ...]
 ) -> tuple[dict[str, float], NDArray[np.void]]:
     body, room, start = from_flat_fields(numbers)
-    held = hold(body, room, measures, dimensions=dimensions)
+    held = hold(body, room, measures)
     refuse_bad_start(held.body, held.room, start)
     return {**fields_of("body", held.body), **fields_of("room", held.room)}, element_rows(held)
 

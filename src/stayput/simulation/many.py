@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from stayput.motion.record import Motion
     from stayput.simulation.case import Case
     from stayput.simulation.grid import CaseBlock, Grid
-    from stayput.simulation.space_engine import SpaceShaking
 
 
 CHUNK = 64
@@ -34,27 +33,21 @@ CHUNK = 64
 
 
 def run_rows(
-    cases: NDArray[np.void], elements: NDArray[np.void], motion: Shaking | SpaceShaking
+    cases: NDArray[np.void], elements: NDArray[np.void], motion: Shaking
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
-    """Run cases under one motion on this thread; those without devices run as free bodies do.
-
-    Where the motion is prepared for the engine in space that one runs them.
+    """Run cases in the plane under one motion on this thread; those without devices run as free bodies do.
 
     Parameters
     ----------
     cases : ndarray of CASE, shape [m]
     elements : ndarray of ELEMENT, shape [m, n]
-    motion : Shaking or SpaceShaking
+    motion : Shaking
 
     Returns
     -------
     tuple
         RESULT, shape [m], and DEVICE, shape [m, n].
     """
-    if not isinstance(motion, Shaking):
-        from stayput.simulation.space import run_rows_in_space  # SciPy takes its time to load
-
-        return run_rows_in_space(cases, elements, motion)
     if (elements["kind"] != NONE).any():
         return run_cases_with_devices(cases, elements, motion)
     devices = np.zeros(elements.shape, DEVICE)
@@ -62,22 +55,8 @@ def run_rows(
     return run_cases(cases, motion), devices
 
 
-def prepared_motion(motion: Motion, dimensions: int, law: int = 0) -> Shaking | SpaceShaking:
-    """Return a motion as the engine in the plane (2 dimensions) or in space (3) reads it.
-
-    Parameters
-    ----------
-    motion : Motion
-        The motion.
-    dimensions : int
-        2 or 3.
-    law : int
-        Number of the contact law in the plane.
-    """
-    if dimensions == 3:
-        from stayput.simulation.space_engine import SpaceShaking
-
-        return SpaceShaking.of(motion)
+def plane_shaking(motion: Motion, law: int = 0) -> Shaking:
+    """Return a motion as the mechanics in the plane read it, with the number of a contact law."""
     return shaking(motion.x, motion.z, motion.dt, law)
 
 
@@ -87,11 +66,10 @@ def run_columns(
     motions: Sequence[Motion],
     motion: NDArray[np.int64],
     *,
-    dimensions: int = 2,
     threads: int | None = None,
     on_progress: Callable[[int], None] | None = None,
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
-    """Run cases on threads, each with its own devices and motion, under the "coulomb" contact law.
+    """Run cases in the plane on threads, each with its own devices and motion, under the "coulomb" law.
 
     Parameters
     ----------
@@ -104,8 +82,6 @@ def run_columns(
         The motions; each is prepared once.
     motion : ndarray of int, shape [m]
         Index of each case's motion.
-    dimensions : int
-        2 in the plane, 3 in space: the cases have lengths then, and each device is an element of its own.
     threads : int, optional
         Threads; default one for each core that this process may use.
     on_progress : callable, optional
@@ -123,7 +99,7 @@ def run_columns(
         Elements that are not possible.
     """
     rows = np.zeros((len(cases), 0), ELEMENT) if elements is None else elements
-    prepared = {int(n): prepared_motion(motions[int(n)], dimensions) for n in np.unique(motion)}
+    prepared = {int(n): plane_shaking(motions[int(n)]) for n in np.unique(motion)}
     results, devices = np.zeros(len(cases), RESULT), np.zeros(rows.shape, DEVICE)
 
     def run(chunk: NDArray[np.intp]) -> int:
@@ -147,8 +123,8 @@ def _chunks(indices: NDArray[np.int64]) -> Iterator[NDArray[np.intp]]:
             yield group[start : start + CHUNK]
 
 
-PreparedMotions: TypeAlias = "dict[int, Shaking | SpaceShaking]"
-"""Motions as the mechanics read them, by the groups of `CaseBlock.group`."""
+PreparedMotions: TypeAlias = "dict[int, Any]"
+"""Motions as the mechanics in the plane or in space read them, by the groups of `CaseBlock.group`."""
 
 LARGEST_CHUNK = 2048
 """Most cases in a call of the executor by default: some tens of milliseconds."""
@@ -250,8 +226,14 @@ def run_grid(
 
 def run_block(block: CaseBlock, motions: Shared[PreparedMotions]) -> NDArray[np.void]:
     """Run some cases on this thread; return rows of `CASE_RESULT`, in their order."""
-    (rows, elements), groups = block.held(), block.group()
-    results = np.zeros(block.count, CASE_RESULT)
+    results, groups = np.zeros(block.count, CASE_RESULT), block.group()
+    if block.dimensions == 3:
+        from stayput.simulation.space import run_case  # SciPy takes its time to load
+
+        for place, group in enumerate(groups.tolist()):
+            results[place] = run_case(block.numbers(place), block.measures, motions.value[group])[0]
+        return results
+    rows, elements = block.held()
     for group in np.unique(groups):
         chosen = np.flatnonzero(groups == group)
         outcome = run_rows(rows[chosen], elements[chosen], motions.value[int(group)])
@@ -261,7 +243,11 @@ def run_block(block: CaseBlock, motions: Shared[PreparedMotions]) -> NDArray[np.
 
 def prepared_motions(motions: tuple[Motion, ...], groups: set[int], dimensions: int) -> PreparedMotions:
     """Prepare the motions that are used, for the engine and the contact law of each group."""
-    return {group: prepared_motion(motions[group // 2], dimensions, group % 2) for group in sorted(groups)}
+    if dimensions == 3:
+        from stayput.simulation.space_engine import SpaceShaking
+
+        return {group: SpaceShaking.of(motions[group // 2]) for group in sorted(groups)}
+    return {group: plane_shaking(motions[group // 2], group % 2) for group in sorted(groups)}
 
 
 def groups_of(grid: Grid) -> set[int]:

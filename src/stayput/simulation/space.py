@@ -13,29 +13,29 @@ from stayput.catalogue.names import PIECES_OF_RUNS
 from stayput.errors import InputWarning, warn
 from stayput.measures.element import device_results
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
-from stayput.mechanics.devices.columns import DEVICE, NONE
 from stayput.mechanics.space.columns import ON_FLOOR, ON_ROOM
 from stayput.mechanics.space.touching import ROOM
-from stayput.model.flat_fields import case_columns
+from stayput.model.flat_fields import from_flat_fields
 from stayput.model.parameters import GRAVITY
+from stayput.simulation.case import scene_of
 from stayput.simulation.groups import groups_at_first, joined_traces, run_in_groups
-from stayput.simulation.outcome import OUTCOMES, Hit, Outcome
-from stayput.simulation.placing import held_body, joint_results, joint_springs, placed, planes_around
+from stayput.simulation.outcome import OUTCOMES, Hit, Outcome, case_results
+from stayput.simulation.placing import joint_results, joint_springs, placed, planes_around
 from stayput.simulation.run import PieceRun, Run, default_names
 from stayput.simulation.space_engine import STEP, SpaceShaking, run_world
 from stayput.simulation.space_fate import fates_of, unrolled, upright_yaws
-from stayput.simulation.space_records import NORMALS, frames_of, matrices, planes_of, surface_of, world_of
+from stayput.simulation.space_records import frames_of, matrices, surface_of, world_of
 from stayput.simulation.tracks import tracks_of
 from stayput.wording import joined, name_within
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
+    from collections.abc import Callable, Iterator, Mapping, Sequence
 
     from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
     from stayput.measures.element import DeviceResult
-    from stayput.measures.measure import Held
+    from stayput.measures.measure import Held, Measure
     from stayput.model.room import Floor, Room
     from stayput.model.state import State
     from stayput.motion.record import Motion
@@ -66,15 +66,17 @@ def warn_of_settlement(scene: Scene) -> None:
         warn(InputWarning("simulation.settles", value=depth, pieces=joined(shaped)))
 
 
-def simulate_scene(scene: Scene, motion: Motion, gravity: float, step: float | None = None) -> Run:
-    """Simulate a scene in space; see `stayput.simulate`.
+def simulate_scene(
+    scene: Scene, motion: Motion, gravity: float, step: float | None = None, initial: State | None = None
+) -> Run:
+    """Simulate a scene in space, with the initial state of a lone piece; see `stayput.simulate`.
 
     The floor's settlement is a law of boxes: for bodies of another shape on the floor it is left out, and
     warned of.
     """
     scene.refuse_wrong_places()
     warn_of_settlement(scene)
-    traced = trace_scene(scene, SpaceShaking.of(motion), GRAVITY.check(gravity), step or STEP)
+    traced = trace_scene(scene, SpaceShaking.of(motion), GRAVITY.check(gravity), step or STEP, initial)
     run = run_of_trace(traced, scene.joints, scene.around, motion)
     return replace(run, names=scene.names, plan=scene.plan)
 
@@ -130,7 +132,9 @@ class Trace(NamedTuple):
             first += len(body.springs)
 
 
-def trace_scene(scene: Scene, shaking: SpaceShaking, gravity: float, step: float = STEP) -> Trace:
+def trace_scene(
+    scene: Scene, shaking: SpaceShaking, gravity: float, step: float = STEP, initial: State | None = None
+) -> Trace:
     """Run the pieces of a scene with their measures in place, those together that meet.
 
     Parameters
@@ -141,6 +145,8 @@ def trace_scene(scene: Scene, shaking: SpaceShaking, gravity: float, step: float
         Of the floor.
     gravity, step : float
         g [m/s²], and the longest step [s].
+    initial : State, optional
+        The initial state of furniture; at rest by default.
 
     Raises
     ------
@@ -150,7 +156,8 @@ def trace_scene(scene: Scene, shaking: SpaceShaking, gravity: float, step: float
 
     def run(group: Group) -> Trace:
         part = scene.part(group)
-        return trace_together(part, shaking, gravity, step, names=names_of(scene, group)).in_room()
+        names = names_of(scene, group)
+        return trace_together(part, shaking, gravity, step, names=names, initial=initial).in_room()
 
     return trace_groups(scene, run, shaking.dt)
 
@@ -224,79 +231,12 @@ def trace_together(
     scene = scene.shifted(x, y) if x or y else scene
     bodies = placed(scene, strength, drawn_floor, called, initial)
     planes = planes_around(scene.pieces, scene.around)
-    joints = joint_springs([body.piece for body in bodies], scene.joints)
-    traced = _traced(bodies, called, planes, joints, scene.friction, shaking, gravity, step, lies)
-    return traced._replace(origin=(x, y))
-
-
-def trace_case(
-    case: np.void,
-    elements: NDArray[np.void],
-    shaking: SpaceShaking,
-    step: float = STEP,
-    lies: float = math.inf,
-    held: Held | None = None,
-) -> Trace:
-    """Run a piece by itself; the gaps of the walls are from where it is at rest.
-
-    Parameters
-    ----------
-    case : CASE
-        With a length.
-    elements : ndarray of ELEMENT, shape (n,)
-        What holds it, each device by itself: of `stayput.measures.hold` with three dimensions.
-    shaking : SpaceShaking
-        Of the floor, before the factor of the case.
-    step : float
-        Longest step that is not extrapolated [s].
-    lies : float
-        How long the piece lies before the run ends [s].
-    held : Held, optional
-        Its measures.
-
-    Raises
-    ------
-    InputError
-        A case without a length, or one that begins in a wall or the ceiling.
-    """
-    body = held_body(case, elements, held=held)
-    room = case.copy()  # a piece as high as the room that leans as drawn reaches no farther
-    room["ceiling_distance"] = max(float(case["ceiling_distance"]), -body.piece.reach(NORMALS["ceiling"])[0])
-    planes, none = planes_of([body.piece], room), joint_springs([body.piece], ())
-    shaken = SpaceShaking(float(case["scale"]) * shaking.acceleration, shaking.dt)
-    return _traced(
-        (body,),
-        [phrase("simulation.the_piece")],
-        planes,
-        none,
-        (0.0, 0.0),
-        shaken,
-        float(case["gravity"]),
-        step,
-        lies,
-    )
-
-
-def _traced(
-    bodies: tuple[Placed, ...],
-    names: Sequence[str | Phrase],
-    planes: NDArray[np.void],
-    joints: NDArray[np.void],
-    between: tuple[float, float],
-    shaking: SpaceShaking,
-    gravity: float,
-    step: float,
-    lies: float = math.inf,
-) -> Trace:
-    """Run bodies in a room, with the springs of their joints; the rest as of `run_world` and `world_of`."""
-    solids, floors = [body.piece.solid for body in bodies], [body.floor for body in bodies]
-    springs = [*(body.springs for body in bodies), joints]
-    acceleration, dt = shaking.acceleration, shaking.dt
-
-    world = world_of(solids, floors, planes, between)
-    held, poses = np.concatenate(springs), np.stack([body.pose for body in bodies])
-    trace = run_world(world, poses, held, acceleration, dt, step, gravity, lies, names)
-    return Trace(bodies, planes, trace, gravity)
+    pieces, floors = [body.piece for body in bodies], [body.floor for body in bodies]
+    world = world_of([piece.solid for piece in pieces], floors, planes, scene.friction)
+    springs = np.concatenate([*(body.springs for body in bodies), joint_springs(pieces, scene.joints)])
+    poses, moved = np.stack([body.pose for body in bodies]), (shaking.acceleration, shaking.dt)
+    trace = run_world(world, poses, springs, *moved, step, gravity, lies, called)
+    return Trace(bodies, planes, trace, gravity, (x, y))
 
 
 def results_of(traced: Trace, time: NDArray[np.float64]) -> NDArray[np.void]:
@@ -340,39 +280,26 @@ ENDS = 0.5
 """How long a piece lies in a run of which only results are asked for [s]: nothing of them comes after."""
 
 
-def run_rows_in_space(
-    cases: NDArray[np.void], elements: NDArray[np.void], shaking: SpaceShaking
-) -> tuple[NDArray[np.void], NDArray[np.void]]:
-    """Run cases under one motion on this thread; see `stayput.simulation.many.run_rows`."""
-    results, devices = np.zeros(len(cases), RESULT), np.zeros(elements.shape, DEVICE)
-    devices["failure_time"] = np.nan
-    for n, (case, rows) in enumerate(zip(cases, elements, strict=True)):
-        traced = trace_case(case, rows, shaking, lies=ENDS)
-        results[n] = results_of(traced, shaking.times)[0]
-        for name in ("peak_pull", "peak_push", "peak_shear"):
-            traced.trace.devices[name] /= case["mass"]
-        devices[n, rows["kind"] != NONE] = traced.trace.devices
-    return results, devices
-
-
-def simulate_held(
-    held: Held, elements: NDArray[np.void], motion: Motion, initial: State, gravity: float, step: float = STEP
-) -> Run:
-    """Simulate a piece with measures in place.
+def run_case(
+    numbers: Mapping[str, float], measures: Sequence[Measure], shaking: SpaceShaking
+) -> NDArray[np.void]:
+    """Return what became of a body with measures: CASE_RESULT, shape (1,).
 
     Parameters
     ----------
-    held : Held
-        The piece, of `hold` with three dimensions.
-    elements : ndarray of ELEMENT, shape (n,)
-        Its devices.
-    motion, initial, gravity, step
-        As for `stayput.simulate`.
+    numbers : mapping
+        The numbers of its case by path.
+    measures : sequence of Measure
+        What holds it.
+    shaking : SpaceShaking
+        Of the floor, before the factor of the case.
     """
-    case = case_columns(held.body, held.room, initial, gravity)[0]
-    return run_of_trace(
-        trace_case(case, elements, SpaceShaking.of(motion), step, held=held), (), held.room, motion
-    )
+    body, room, start = from_flat_fields(numbers)
+    shaken = SpaceShaking(numbers["motion.scale"] * shaking.acceleration, shaking.dt)
+    scene = scene_of(body, room, measures)
+    traced = trace_together(scene, shaken, numbers["gravity"], initial=start, lies=ENDS)
+    springs, devices = traced.trace.springs[np.newaxis], traced.trace.devices[np.newaxis]
+    return case_results(springs, results_of(traced, shaken.times), devices)
 
 
 def run_of_trace(traced: Trace, joints: Sequence[Joint], room: Room, motion: Motion) -> Run:

@@ -10,7 +10,7 @@ import xarray as xr
 
 from stayput.errors import InputError, list_of, too_many, word_of
 from stayput.execution import Pool
-from stayput.mechanics.runner import Shaking, trace
+from stayput.mechanics.runner import trace
 from stayput.model.flat_fields import unit_of
 from stayput.simulation.grid import make_grid
 from stayput.simulation.many import groups_of, prepared_motions, run_grid
@@ -89,8 +89,7 @@ def _histories(
         word_of("simulation.history", name, HISTORIES, "histories")
     if grid.dimensions == 3:
         raise InputError("simulation.histories_in_space", "histories")
-    prepared = prepared_motions(grid.motions, groups_of(grid), 2)
-    motions = {group: motion for group, motion in prepared.items() if isinstance(motion, Shaking)}
+    motions = prepared_motions(grid.motions, groups_of(grid), 2)
     steps = sorted({motion.floor.dt for motion in motions.values()})
     if len(steps) > 1:
         raise InputError("simulation.time_steps_differ", "motion", steps=steps)

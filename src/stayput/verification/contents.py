@@ -184,9 +184,7 @@ def _in_space(contest: Contest, options: Sequence[Option]) -> FirstRuns:
         scene, shaken = scenes[place], runner.shaking(motion, 0)
         fine = shaken.refined(parts(shaken.dt))
         traced = trace_draw(scene, runner.draw(motion, 0), fine, settings.gravity, scene.names, stands)
-        case = traced.bodies[0].floor.copy()
-        case["gravity"] = settings.gravity
-        return Carrier.of_trace(case, fine, traced, scenario.piece.body().height)
+        return Carrier.of_trace(fine, traced, scenario.piece.body().height)
 
     return overturns, carrier
 
