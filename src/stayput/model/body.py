@@ -14,6 +14,7 @@ from stayput.model.parameters import (
     SIZE_RANGE,
     STANDARD_GRAVITY,
     check_fields,
+    choice,
     parameter,
     parameter_of,
     quantity,
@@ -138,7 +139,7 @@ class Body(Shapes, Brief):
         (0.0, 0.0), *_OFFSET, ("Body base inset", "底の角の内側への距離")
     )
     length: float | None = parameter(None, *_SIZE, ("Body length", "家具の幅（length）"))
-    base: str = parameter(BASES[0], "", 0.0, 0.0, ("Base", "底面"), choices=BASES)
+    base: str = choice(BASES[0], BASES, ("Base", "底面"))
     shape: Solid | None = None
 
     def __post_init__(self) -> None:
@@ -390,7 +391,7 @@ class Preset:
     length: float = field(metadata=quantity("m", *SIZE_RANGE, ("length (across)", "幅")))
     mass: float = field(metadata=quantity("kg", *MASS_RANGE, ("mass", "質量")))
     carcass_mass: float | None = parameter(None, "kg", *MASS_RANGE, ("empty carcass", "空の本体の質量"))
-    base: str = parameter(BASES[0], "", 0.0, 0.0, ("base", "底面"), choices=BASES)
+    base: str = choice(BASES[0], BASES, ("base", "底面"))
     base_confidence: Confidence = Confidence.MEDIUM
 
 

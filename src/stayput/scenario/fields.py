@@ -118,7 +118,7 @@ def fields_of(
 def typed_field(about: Parameter, meaning: str | None = None, *, optional: bool = False) -> tuple[Any, Any]:
     """Return the type and the field of a table for a field of a value: of a number, a word or a pair."""
     pair = isinstance(about.default, tuple)
-    default = None if optional or pair else about.default
+    default = None if optional or pair else ... if about.default is MISSING else about.default
     changed: dict[str, Any] = {"default": default, "description": meaning or about.meaning}
     kind: Any = int if about.whole else float
     field = _field(about, **changed)
@@ -131,9 +131,8 @@ def typed_field(about: Parameter, meaning: str | None = None, *, optional: bool 
 
 
 def _field(about: Parameter, **changed: Any) -> Any:
-    options: dict[str, Any] = {"default": about.default, "description": about.meaning} | changed
-    if options["default"] is MISSING:
-        options["default"] = ...
+    default = ... if about.default is MISSING else about.default
+    options: dict[str, Any] = {"default": default, "description": about.meaning} | changed
     return between(about.low, about.high, about.unit, **options)
 
 

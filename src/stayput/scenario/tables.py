@@ -11,7 +11,7 @@ from pydantic import Discriminator, Field, ModelWrapValidatorHandler, PrivateAtt
 from stayput.building.building import STRUCTURES, Building
 from stayput.building.model import MOST_STOREYS, ShearModel
 from stayput.catalogue import phrase
-from stayput.contents.contents import CONTENTS, DOORS, DRAWERS, Contents
+from stayput.contents.contents import CONTENTS, Contents
 from stayput.errors import InputError
 from stayput.everyday import CARPET, PRESET_DRAWERS, Everyday
 from stayput.model.body import FURNITURE, Part
@@ -68,12 +68,6 @@ class ContentsTable(ValueTable):
         default=None, description="Mass on each shelf from the lowest up; default the furniture's shelves."
     )
     back: bool = Field(default=True, description="Whether a board or a wall is behind the items.")
-    doors: Annotated[str, one_of(DOORS), named(DOORS)] = Field(
-        default="none", description="What is in front of the shelves."
-    )
-    drawers: Annotated[str, one_of(DRAWERS), named(DRAWERS)] = Field(
-        default="none", description="Which drawers the contents are in, if any."
-    )
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
