@@ -165,9 +165,7 @@ class ShakingTable(Table):
         default=None,
         description="Which motion of a suite `simulate` takes; 1 where it is not said.",
     )
-    scale: Annotated[float, between(-1e3, 1e3)] | None = Field(
-        default=None, description="Factor on the whole motion."
-    )
+    scale: float | None = between(-1e3, 1e3, default=None, description="Factor on the whole motion.")
     intensity: Intensity | None = Field(
         default=None,
         description="JMA intensity of the ground that every motion is scaled to; a class is its middle. "
