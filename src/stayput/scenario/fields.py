@@ -17,7 +17,7 @@ from stayput.model.parameters import parameter_of, parameters
 from stayput.vocabulary import meant
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Iterator
+    from collections.abc import Callable, Collection, Iterable, Iterator
 
     from stayput.model.parameters import Parameter
 
@@ -36,6 +36,18 @@ class Table(BaseModel):
         """Return whether a field was said, and is not what it is by default."""
         default = type(self).model_fields[name].get_default(call_default_factory=True)
         return name in self.model_fields_set and getattr(self, name) != default
+
+    def refuse_single(self, table: str, *pair: str) -> None:
+        """Refuse one of two keys without the other."""
+        for key, other in (pair, pair[::-1]):
+            if getattr(self, key) is not None and getattr(self, other) is None:
+                raise InputError("scenario.needs_both", f"{table}.{key}", other=f"{table}.{other}")
+
+    def refuse_several(self, table: str, names: Iterable[str]) -> None:
+        """Refuse the second of some keys, of which only one may be given."""
+        stated = [f"{table}.{name}" for name in names if getattr(self, name) is not None]
+        if len(stated) > 1:
+            raise InputError("scenario.only_one", stated[1], other=stated[0])
 
     def __repr_args__(self) -> Iterator[tuple[str | None, Any]]:
         """Yield what was said, and nothing that was left to its default."""

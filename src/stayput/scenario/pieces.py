@@ -99,10 +99,7 @@ class PieceTable(ValueTable):
     @model_validator(mode="after")
     def _consistent(self) -> Self:
         self._check_shape()
-        if (self.mesh is None) != (self.unit is None):
-            name, other = "furniture.unit", "furniture.mesh"
-            name, other = (name, other) if self.mesh is None else (other, name)
-            raise InputError("scenario.needs_both", name, other=other)
+        self.refuse_single("furniture", "mesh", "unit")
         if self.measures is not None and not self.is_furniture:
             where = phrase("scenario.of_a_solid")
             raise InputError("common.left_out", "furniture.measures", where=where)

@@ -114,10 +114,6 @@ class WallTable(ValueTable):
 class CeilingTable(ValueTable):
     """A ceiling above the body."""
 
-    def ceiling(self) -> Ceiling:
-        """Make the ceiling."""
-        return Ceiling(**self.model_dump())
-
 
 FloorChoice = Annotated[
     Annotated[Surface, Tag(NAME)] | Annotated[FloorTable, Tag(TABLE)], Discriminator(kind_of)
@@ -145,9 +141,10 @@ class RoomTable(Table):
 
     def room(self) -> Room:
         """Make the room."""
-        walls = {name: getattr(self, name) for name in WALLS_AROUND}
-        made = {name: Wall(**wall.model_dump()) for name, wall in walls.items() if wall is not None}
-        return Room(floor_of(self.floor), ceiling=self.ceiling and self.ceiling.ceiling(), **made)
+        kinds: dict[str, Any] = dict.fromkeys(WALLS_AROUND, Wall) | {"ceiling": Ceiling}
+        stated = {name: table for name in kinds if (table := getattr(self, name)) is not None}
+        around = {name: kinds[name](**table.model_dump()) for name, table in stated.items()}
+        return Room(floor_of(self.floor), **around)
 
 
 @fields_of(
@@ -235,10 +232,7 @@ class BuildingTable(ValueTable):
     @model_validator(mode="after")
     def _consistent(self) -> Self:
         in_detail = self.masses is not None or self.stiffnesses is not None
-        if in_detail and (self.masses is None or self.stiffnesses is None):
-            stated, missing = ("masses", "stiffnesses") if self.masses else ("stiffnesses", "masses")
-            name, other = f"shaking.building.{stated}", f"shaking.building.{missing}"
-            raise InputError("scenario.needs_both", name, other=other)
+        self.refuse_single("shaking.building", "masses", "stiffnesses")
         for key in REGULAR if in_detail else ():
             if key in self.model_fields_set and getattr(self, key) not in (None, False):
                 name = f"shaking.building.{key}"
