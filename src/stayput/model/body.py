@@ -247,15 +247,11 @@ class Body(Shapes, Brief):
         (u_a, v_a), (u_b, v_b), _, _ = self.corners
         return math.atan2(v_b - v_a, u_b - u_a)
 
-    def as_it_rests(self, u: float, v: float) -> tuple[float, float]:
-        """Return where a point (u, v) from G in the body's axes lies from G at rest, right and up [m]."""
-        cos, sin = math.cos(self.resting_tilt), math.sin(self.resting_tilt)
-        return u * cos + v * sin, v * cos - u * sin
-
     @property
     def corners_at_rest(self) -> tuple[tuple[float, float], ...]:
         """The corners A, B, C, D from G when it rests, right and up [m]; a tilt turns them from there."""
-        return tuple(self.as_it_rests(u, v) for u, v in self.corners)
+        cos, sin = math.cos(self.resting_tilt), math.sin(self.resting_tilt)
+        return tuple((u * cos + v * sin, v * cos - u * sin) for u, v in self.corners)
 
     @property
     def slenderness(self) -> tuple[float, float]:
