@@ -6,7 +6,8 @@ What a field of a table has in common with the field of the value that the table
 
 from __future__ import annotations
 
-from dataclasses import MISSING
+from dataclasses import MISSING, replace
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar, cast
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, create_model
@@ -17,7 +18,7 @@ from stayput.model.parameters import parameter_of, parameters
 from stayput.vocabulary import meant
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Iterable, Iterator
+    from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 
     from stayput.model.parameters import Parameter
 
@@ -98,7 +99,12 @@ def of(kind: Any, name: str, **changed: Any) -> Any:
 
 
 def fields_of(
-    kind: Any, *, but: Collection[str] = (), optional: Collection[str] = (), **meanings: str
+    kind: Any,
+    *,
+    but: Collection[str] = (),
+    optional: Collection[str] = (),
+    defaults: Mapping[str, float] = MappingProxyType({}),
+    **meanings: str,
 ) -> Callable[[type[AnyTable]], type[AnyTable]]:
     """Return a decorator that gives a table, after its own fields, those of the value that it makes.
 
@@ -110,16 +116,20 @@ def fields_of(
         Fields and arguments that a file does not say.
     optional : collection of str
         Those that a file may leave out: the table knows what they are then.
+    defaults : mapping of str to float
+        Those of the file alone.
     **meanings
         What a file says of a field in other words.
     """
 
     def with_fields(table: type[AnyTable]) -> type[AnyTable]:
-        fields: dict[str, Any] = {
-            about.name: typed_field(about, meanings.get(about.name), optional=about.name in optional)
-            for about in parameters(kind)
-            if about.name not in (*but, *table.model_fields)
-        }
+        fields: dict[str, Any] = {}
+        for about in parameters(kind):
+            if about.name not in (*but, *table.model_fields):
+                here = replace(about, default=defaults.get(about.name, about.default))
+                fields[about.name] = typed_field(
+                    here, meanings.get(here.name), optional=here.name in optional
+                )
         return create_model(
             table.__name__, __base__=table, __doc__=table.__doc__, __module__=table.__module__, **fields
         )

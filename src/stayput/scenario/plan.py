@@ -8,7 +8,7 @@ from typing import Annotated
 from pydantic import Field
 
 from stayput.model.floor_plan import PLACES, Door, FloorPlan, PersonPlace, Window
-from stayput.scenario.fields import Text, ValueTable, fields_of, named, of, one_of
+from stayput.scenario.fields import Text, ValueTable, fields_of, named, one_of
 from stayput.scenario.pieces import Coordinate
 
 PointInPlan = Annotated[list[Coordinate], Field(min_length=2, max_length=2)]
@@ -19,20 +19,17 @@ class PlanTable(ValueTable):
     """The size of a room, which goes from the left wall to the right one and from the near to the far one."""
 
 
-@fields_of(Door)
+@fields_of(Door, defaults={"width": 0.8})
 class DoorTable(ValueTable):
     """A door."""
 
     name: Text = Field(default="door", description="What it is called.")
-    width: float = of(Door, "width", default=0.8)
     way_out: bool = Field(default=True, description="Whether it leads out.")
 
 
-@fields_of(Window)
+@fields_of(Window, defaults={"width": 1.6})
 class WindowTable(ValueTable):
     """A window: nothing that is higher than its sill is moved in front of it."""
-
-    width: float = of(Window, "width", default=1.6)
 
 
 @fields_of(PersonPlace, optional=("width", "length", "low", "high", "day", "night"))
