@@ -55,7 +55,7 @@ def wrong_values(allowed):
     yield from (value for kind, value in others.items() if kind not in types)
     if "array" in types:
         yield [1.0, "a"]
-        if not any(kind.get("minItems") == 0 for kind in allowed):
+        if any(kind.get("minItems") for kind in allowed):
             yield []
     for kind in allowed:
         if kind.get("type") == "number":

@@ -8,8 +8,8 @@ only.
 
 from __future__ import annotations
 
-from collections import ChainMap
 from importlib import import_module
+from pkgutil import iter_modules
 from typing import TYPE_CHECKING, Literal, TypeGuard
 
 if TYPE_CHECKING:
@@ -23,48 +23,12 @@ LANGUAGES: tuple[Language, ...] = ("en", "ja")
 Phrase = tuple[str, str]
 """A text in English and in Japanese."""
 
-_MODULES: dict[str, dict[str, Phrase]] = {
-    name: import_module(f"{__name__}.{name}").TEXTS
-    for name in (
-        "action_plan",
-        "app",
-        "building",
-        "cli",
-        "cli_help",
-        "common",
-        "contents",
-        "earthquake",
-        "fragility",
-        "ground_shaking",
-        "inventory",
-        "inventory_report",
-        "inventory_tables",
-        "measures",
-        "mechanics",
-        "model",
-        "motion",
-        "notebook",
-        "page",
-        "plots",
-        "progress",
-        "report",
-        "room_page",
-        "room_report",
-        "rooms",
-        "runs",
-        "saved",
-        "scenario",
-        "several",
-        "simulation",
-        "solids",
-        "space",
-        "verification",
-    )
+TEXTS: Mapping[str, Phrase] = {
+    f"{module.name}.{key}": text
+    for module in iter_modules(__path__)
+    if module.name not in ("names", "motion_files")  # which are no part of an id
+    for key, text in import_module(f"{__name__}.{module.name}").TEXTS.items()
 }
-
-TEXTS: Mapping[str, Phrase] = ChainMap(
-    *({f"{name}.{key}": text for key, text in texts.items()} for name, texts in _MODULES.items())
-)
 """All texts by their ids."""
 
 

@@ -14,38 +14,31 @@ TEXTS: dict[str, tuple[str, str]] = {
     "falls": ("Chance of overturning: {pieces}.", "倒れる確率：{pieces}。"),
     "piece_falls": ("{piece} {was}", "「{piece}」{was}"),
     "piece_falls_then": ("{piece} {was} → {now}", "「{piece}」{was}→{now}"),
-    "only_falls": (
-        "no clear difference in these runs in who is hit or shut in; but it falls less",
-        "計算した範囲では、人に当たる確率や外に出られなくなる確率に明らかな差はありませんが、倒れにくくなります",
-    ),
+    "only_falls": ("no clear difference in these runs in who is hit or shut in; but it falls less",
+                   ("計算した範囲では、人に当たる確率や外に出られなくなる確率に明らかな差はありませんが、"
+                    "倒れにくくなります")),
     "no_gain": ("no clear difference in these runs", "計算した範囲では、明らかな差はありません"),
     "decided": ("your choice", "決めた変更"),
-    "nothing": (
-        "In the runs no piece hit anybody, blocked a door or overturned often: nothing has to be bought.",
-        "計算では、家具が人に当たることも、ドアをふさぐことも、何度も倒れることもありませんでした。買う物はありません。",
-    ),
+    "nothing": (("In the runs no piece hit anybody, blocked a door or overturned often: nothing has to be "
+                 "bought."),
+                ("計算では、家具が人に当たることも、ドアをふさぐことも、"
+                 "何度も倒れることもありませんでした。買う物はありません。")),
     "in_place": ("Taken as in place already: {measures}.", "取り付け済みとした対策：{measures}。"),
-    "unsolved": (
-        "Nothing that was tried helps with: {pieces}.",
-        "試した対策では効果がなかった家具：{pieces}。",
-    ),
-    "rough": (
-        (
-            "Steps marked C rest on assumed values: trust their order more than their chances. Before you buy, measure or "
-            "look up these inputs, enter them in the room, and make this plan again."
-        ),
-        "Cの印がある項目は、仮定した値に基づきます。確率の値よりも、順位のほうが確かです。買う前に、次の値を測るか調べて部屋に入力し、作り直してください。",
-    ),
+    "unsolved": ("Nothing that was tried helps with: {pieces}.",
+                 "試した対策では効果がなかった家具：{pieces}。"),
+    "rough": (("Steps marked C rest on assumed values: trust their order more than their chances. Before "
+               "you buy, measure or look up these inputs, enter them in the room, and make this plan "
+               "again."),
+              ("Cの印がある項目は、仮定した値に基づきます。確率の値よりも、順位のほうが確かです。"
+               "買う前に、次の値を測るか調べて部屋に入力し、作り直してください。")),
     "home": ("Conditions: {conditions}.", "条件：{conditions}。"),
     "no_drilling": ("no drilling", "壁に穴を開けない"),
     "tatami": ("tatami floor", "畳の床"),
     "plasterboard": ("walls of plasterboard without studs", "ねじを留める下地のない石こうボードの壁"),
     "dropped_ceiling": ("a ceiling that hangs on wires", "吊り天井"),
     # The plan and the elevations
-    "scale": (
-        "Plan 1:{plan}{elevations} when printed at 100 %; lengths in metres.",
-        "平面図1:{plan}{elevations}（等倍で印刷した場合）。長さの単位はメートルです。",
-    ),
+    "scale": ("Plan 1:{plan}{elevations} when printed at 100 %; lengths in metres.",
+              "平面図1:{plan}{elevations}（等倍で印刷した場合）。長さの単位はメートルです。"),
     "elevations": (", elevations 1:{scale}", "、立面図1:{scale}"),
     "elevation_alt": ("{piece} from front and side, to scale", "「{piece}」の正面図と側面図（縮尺どおり）"),
     "front": ("front", "正面"),
@@ -77,132 +70,90 @@ TEXTS: dict[str, tuple[str, str]] = {
     "plus": (" + ", "＋"),
     "next": ("; ", "。"),
     "newtons": ("{newtons:,.0f} N ({kilograms:.0f} kgf)", "{newtons:,.0f} N（{kilograms:.0f} kgf）"),
-    "mats": (
-        "{product} of {side:.1f} × {side:.1f} cm, for furniture of {mass:.0f} kg",
-        "{product}（{side:.1f}×{side:.1f} cm、{mass:.0f} kgの家具に対応するもの）",
-    ),
-    "wedge": (
-        "{product}, {length:.2f} m long and {thickness:.0f} mm thick",
-        "{product}（長さ{length:.2f} m、厚さ{thickness:.0f} mm）",
-    ),
+    "mats": ("{product} of {side:.1f} × {side:.1f} cm, for furniture of {mass:.0f} kg",
+             "{product}（{side:.1f}×{side:.1f} cm、{mass:.0f} kgの家具に対応するもの）"),
+    "wedge": ("{product}, {length:.2f} m long and {thickness:.0f} mm thick",
+              "{product}（長さ{length:.2f} m、厚さ{thickness:.0f} mm）"),
     # What is not strong enough
-    "weak": (
-        "Too weak for JMA intensity {strength}: gives way in {fails} of the runs, the piece overturns in {share}.",
-        "{strength}の揺れには弱すぎます（器具が壊れるか外れる計算は{fails}、家具が倒れる計算は{share}）。",
-    ),
-    "no_reserve": (
-        "No reserve for JMA intensity {strength}: gives way in {fails} of the runs, the piece overturns in {share}.",
-        "{strength}の揺れに対して余裕がありません（器具が壊れるか外れる計算は{fails}、家具が倒れる計算は{share}）。",
-    ),
-    "weak_bears": (
-        "{measure}: each needs {needed}, holds about {holds} ({fails})",
-        "{measure}：1個あたり{needed}必要なところ、約{holds}（{fails}）",
-    ),
+    "weak": (("Too weak for JMA intensity {strength}: gives way in {fails} of the runs, the piece "
+              "overturns in {share}."),
+             ("{strength}の揺れには弱すぎます（器具が壊れるか外れる計算は{fails}、"
+              "家具が倒れる計算は{share}）。")),
+    "no_reserve": (("No reserve for JMA intensity {strength}: gives way in {fails} of the runs, the piece "
+                    "overturns in {share}."),
+                   ("{strength}の揺れに対して余裕がありません（器具が壊れるか外れる計算は{fails}、"
+                    "家具が倒れる計算は{share}）。")),
+    "weak_bears": ("{measure}: each needs {needed}, holds about {holds} ({fails})",
+                   "{measure}：1個あたり{needed}必要なところ、約{holds}（{fails}）"),
     "weak_to": ("with reserve up to {strength}", "{strength}までなら余裕があります"),
-    "not_enough": (
-        "Not enough for {pieces}: what else you can do",
-        "強さや効果が足りない家具（{pieces}）に、ほかにできること",
-    ),
-    "ask_landlord": (
-        (
-            "Ask the landlord, before you buy, whether furniture may be screwed to the studs of the wall. In Japan the "
-            "Ministry of Land's guideline on restoring rented homes names this consent for holding furniture."
-        ),
-        "買う前に、家具を壁の下地にねじで留めてよいか、大家さんや管理会社に相談してください。国土交通省の原状回復のガイドラインも、家具の転倒防止では前もって貸主の承諾を得る方法を挙げています。",
-    ),
-    "out_of_reach": (
-        "Put beds and desks out of its reach, keep heavy things at the bottom, or choose a lower piece.",
-        "ベッドや机を家具が届かない所に移す、重い物を下の段に入れる、背の低い家具に替える、という方法もあります。",
-    ),
+    "not_enough": ("Not enough for {pieces}: what else you can do",
+                   "強さや効果が足りない家具（{pieces}）に、ほかにできること"),
+    "ask_landlord": (("Ask the landlord, before you buy, whether furniture may be screwed to the studs of "
+                      "the wall. In Japan the Ministry of Land's guideline on restoring rented homes "
+                      "names this consent for holding furniture."),
+                     ("買う前に、家具を壁の下地にねじで留めてよいか、"
+                      "大家さんや管理会社に相談してください。国土交通省の原状回復のガイドラインも、"
+                      "家具の転倒防止では前もって貸主の承諾を得る方法を挙げています。")),
+    "out_of_reach": (("Put beds and desks out of its reach, keep heavy things at the bottom, or choose a "
+                      "lower piece."),
+                     ("ベッドや机を家具が届かない所に移す、重い物を下の段に入れる、背の低い家具に替える、"
+                      "という方法もあります。")),
     "weak_anywhere": ("without reserve in JMA intensity 4 too", "震度4でも余裕がありません"),
     # Why measures were not taken
     "not_taken": ("What was not taken, and why", "選ばなかった対策と理由"),
     "not_possible": ("cannot be put there ({why})", "取り付けられません（{why}）"),
     "drills": ("needs holes in the wall", "壁に穴を開ける必要があります"),
-    "too_weak": (
-        "too weak: it gives way in {fails} of the runs, and the piece overturns in {share}",
-        "弱すぎます（器具が壊れるか外れる計算は{fails}、家具が倒れる計算は{share}）",
-    ),
-    "helps_not": (
-        "does not help: the piece still overturns in {share} of the runs",
-        "効果がありません（家具が倒れる計算は{share}）",
-    ),
+    "too_weak": ("too weak: it gives way in {fails} of the runs, and the piece overturns in {share}",
+                 "弱すぎます（器具が壊れるか外れる計算は{fails}、家具が倒れる計算は{share}）"),
+    "helps_not": ("does not help: the piece still overturns in {share} of the runs",
+                  "効果がありません（家具が倒れる計算は{share}）"),
     "helps_less": ("helps less: {what} in {share} of the runs", "効果が小さめです（{what}計算は{share}）"),
     "costs_more": ("brings no more, and costs more", "効果が変わらず、費用が高くなります"),
     "brings_no_more": ("brings no more", "効果は変わりません"),
     "not_needed": ("the steps bring as much without it", "ほかの項目だけで効果が変わりません"),
     # Where it goes
-    "at_wall": (
-        "on the wall {height:.2f} m above the floor, {apart}{studs}",
-        "壁の床から{height:.2f} mの高さ、{apart}{studs}",
-    ),
-    "on_studs": (
-        ", on studs every {pitch:.0f} mm",
-        "、下地（間隔{pitch:.0f} mmの場合）の所",
-    ),
-    "on_one_stud": (
-        ", on a stud: the piece is too narrow for two studs",
-        "、下地のある所（幅が狭く、2本の下地には届きません）",
-    ),
-    "on_a_strip": (
-        ", more than there are studs behind it: on a strip of wood that is screwed across the studs",
-        "、下地の数より多いので、下地に渡してねじで留めた横木の所",
-    ),
-    "apart": (
-        "{apart:.3g} m apart ({edge:.3g} m from its sides)",
-        "間隔{apart:.3g} m（側面から{edge:.3g} m）",
-    ),
+    "at_wall": ("on the wall {height:.2f} m above the floor, {apart}{studs}",
+                "壁の床から{height:.2f} mの高さ、{apart}{studs}"),
+    "on_studs": (", on studs every {pitch:.0f} mm", "、下地（間隔{pitch:.0f} mmの場合）の所"),
+    "on_one_stud": (", on a stud: the piece is too narrow for two studs",
+                    "、下地のある所（幅が狭く、2本の下地には届きません）"),
+    "on_a_strip": ((", more than there are studs behind it: on a strip of wood that is screwed across the "
+                    "studs"),
+                   "、下地の数より多いので、下地に渡してねじで留めた横木の所"),
+    "apart": ("{apart:.3g} m apart ({edge:.3g} m from its sides)",
+              "間隔{apart:.3g} m（側面から{edge:.3g} m）"),
     "in_the_middle": ("in the middle of the piece", "家具の中央"),
-    "belt_top": (
-        (
-            "on top of the piece {setback:.2f} m from its back, up to the wall {height:.2f} m above the floor, "
-            "{apart}{studs}, tight"
-        ),
-        "家具の天板の背面から{setback:.2f} mの所から、壁の床から{height:.2f} mの高さへ、{apart}{studs}、たるませない",
-    ),
-    "pole_top": (
-        "on top of the piece {setback:.2f} m from its back, {apart}, {length:.2f} m long, under a ceiling joist",
-        "家具の天板の背面から{setback:.2f} mの所、{apart}、長さ{length:.2f} m、天井の野縁の下",
-    ),
+    "belt_top": (("on top of the piece {setback:.2f} m from its back, up to the wall {height:.2f} m above "
+                  "the floor, {apart}{studs}, tight"),
+                 ("家具の天板の背面から{setback:.2f} mの所から、壁の床から{height:.2f} mの高さへ、"
+                  "{apart}{studs}、たるませない")),
+    "pole_top": (("on top of the piece {setback:.2f} m from its back, {apart}, {length:.2f} m long, under "
+                  "a ceiling joist"),
+                 "家具の天板の背面から{setback:.2f} mの所、{apart}、長さ{length:.2f} m、天井の野縁の下"),
     "mats_below": ("under the four corners", "底面の四隅"),
     "wedge_below": ("under the whole front edge", "前面の下端の全長"),
     # What to check
-    "check_stud": (
-        (
-            "find the studs by tapping or with a stud finder (usually every {near:.0f} or {far:.0f} mm); the screws "
-            "must go {depth:.0f} mm into them"
-        ),
-        "下地センサーなどで下地（間柱）を探す（間隔は{near:.0f} mmか{far:.0f} mmが多い）。ねじは下地に{depth:.0f} mm以上入れる",
-    ),
-    "check_plasterboard": (
-        "plasterboard alone holds little: use anchors made for it, or find a stud after all",
-        "石こうボードだけでは弱い。専用アンカーを使うか、下地を探し直す",
-    ),
-    "check_concrete": (
-        "drill with a masonry bit and use plugs; ask before drilling in a flat",
-        "コンクリート用ドリルとプラグを使う。集合住宅では管理規約を確かめる",
-    ),
-    "check_hanging strip": (
-        "the strip must be nailed to the posts, and not only glued on",
-        "付け鴨居・長押が柱に釘で留まっていることを確かめる",
-    ),
-    "check_top": (
-        "the top board must be wood or particle board that takes a screw",
-        "天板がねじの効く木材またはパーティクルボードであることを確かめる",
-    ),
-    "check_ceiling": (
-        "push the ceiling up by hand: it must not give; put a board across the joists if it does",
-        "天井を手で押し、動かないことを確かめる。動く場合は野縁をまたぐ当て板を入れる",
-    ),
-    "check_floor": (
-        "the floor must be hard, even and free of dust and wax",
-        "床が硬く平らで、ほこりやワックスがないことを確かめる",
-    ),
+    "check_stud": (("find the studs by tapping or with a stud finder (usually every {near:.0f} or "
+                    "{far:.0f} mm); the screws must go {depth:.0f} mm into them"),
+                   ("下地センサーなどで下地（間柱）を探す（間隔は{near:.0f} mmか{far:.0f} mmが多い）。"
+                    "ねじは下地に{depth:.0f} mm以上入れる")),
+    "check_plasterboard": (("plasterboard alone holds little: use anchors made for it, or find a stud "
+                            "after all"),
+                           "石こうボードだけでは弱い。専用アンカーを使うか、下地を探し直す"),
+    "check_concrete": ("drill with a masonry bit and use plugs; ask before drilling in a flat",
+                       "コンクリート用ドリルとプラグを使う。集合住宅では管理規約を確かめる"),
+    "check_hanging strip": ("the strip must be nailed to the posts, and not only glued on",
+                            "付け鴨居・長押が柱に釘で留まっていることを確かめる"),
+    "check_top": ("the top board must be wood or particle board that takes a screw",
+                  "天板がねじの効く木材またはパーティクルボードであることを確かめる"),
+    "check_ceiling": (("push the ceiling up by hand: it must not give; put a board across the joists if "
+                       "it does"),
+                      "天井を手で押し、動かないことを確かめる。動く場合は野縁をまたぐ当て板を入れる"),
+    "check_floor": ("the floor must be hard, even and free of dust and wax",
+                    "床が硬く平らで、ほこりやワックスがないことを確かめる"),
     "check_hard": ("the floor must be hard", "床が硬いことを確かめる"),
-    "check_move": (
-        "{empty}measure the new place; keep sockets and doors free",
-        "{empty}移動先の寸法を測り、コンセントとドアをふさがない",
-    ),
+    "check_move": ("{empty}measure the new place; keep sockets and doors free",
+                   "{empty}移動先の寸法を測り、コンセントとドアをふさがない"),
     "empty": ("empty it first; ", "中身を出してから動かす。"),
     # Effects
     "overturns": ("overturns {was} → {now}", "倒れる確率{was}→{now}"),
@@ -218,38 +169,26 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Foot
     "grades": ("Marks: {meanings}.", "記号：{meanings}。"),
     "grade": ("{grade}: {meaning}", "{grade}：{meaning}"),
-    "strengths": (
-        (
-            "Strengths asked for: the force on one device, computed with one that cannot break, that is not exceeded in "
-            "{share:.0f} % of {runs} runs, times {margin:.1f}. The margin covers the weakest 5 % of the products, for the "
-            "scatter of strengths that is assumed (coefficient of variation {cov:.1f})."
-        ),
-        (
-            "必要な強さ：壊れない器具として計算した1個あたりの力のうち、{runs}回の計算の{share:.0f}%で超えなかった値の"
-            "{margin:.1f}倍です。弱いほうから5%の製品でも耐えるための余裕で、強さのばらつき（変動係数{cov:.1f}）は仮定です。"
-        ),
-    ),
-    "costs": (
-        (
-            "Cost classes are rough, not prices: for one piece, 1 is up to ¥{low:,} or €{low_euro}, 2 up to ¥{high:,} or "
-            "€{high_euro}, 3 more."
-        ),
-        "費用の目安は大まかな区分で、実際の価格ではありません。家具1台につき、1は{low:,}円まで、2は{high:,}円まで、3はそれより高いものです。",
-    ),
-    "runs": (
-        (
-            "Chances with their 95 % intervals are from {runs} runs of the room, under {motions} (seed {seed}) without "
-            "and with each step. stayput {version}."
-        ),
-        "確率とかっこ内の95%区間は、各項目を行う前と後を、{motions}（乱数のシード{seed}）で{runs}回ずつ計算したものです。バージョン{version}。",
-    ),
+    "strengths": (("Strengths asked for: the force on one device, computed with one that cannot break, "
+                   "that is not exceeded in {share:.0f} % of {runs} runs, times {margin:.1f}. The margin "
+                   "covers the weakest 5 % of the products, for the scatter of strengths that is assumed "
+                   "(coefficient of variation {cov:.1f})."),
+                  ("必要な強さ：壊れない器具として計算した1個あたりの力のうち、"
+                   "{runs}回の計算の{share:.0f}%で超えなかった値の{margin:.1f}倍です。"
+                   "弱いほうから5%の製品でも耐えるための余裕で、"
+                   "強さのばらつき（変動係数{cov:.1f}）は仮定です。")),
+    "costs": (("Cost classes are rough, not prices: for one piece, 1 is up to ¥{low:,} or €{low_euro}, 2 "
+               "up to ¥{high:,} or €{high_euro}, 3 more."),
+              ("費用の目安は大まかな区分で、実際の価格ではありません。家具1台につき、1は{low:,}円まで、"
+               "2は{high:,}円まで、3はそれより高いものです。")),
+    "runs": (("Chances with their 95 % intervals are from {runs} runs of the room, under {motions} (seed "
+              "{seed}) without and with each step. stayput {version}."),
+             ("確率とかっこ内の95%区間は、各項目を行う前と後を、"
+              "{motions}（乱数のシード{seed}）で{runs}回ずつ計算したものです。バージョン{version}。")),
     "same_motions": ("the same {count} motions", "同じ{count}本の地震動"),
-    "limits": (
-        (
-            "This is a calculation for the furniture and the earthquakes that were stated: no guarantee, and no replacement "
-            "for the makers' instructions."
-        ),
-        "指定した家具と地震についての計算です。安全を保証するものではなく、製品の説明書に代わるものでもありません。",
-    ),
+    "limits": (("This is a calculation for the furniture and the earthquakes that were stated: no "
+                "guarantee, and no replacement for the makers' instructions."),
+               ("指定した家具と地震についての計算です。安全を保証するものではなく、"
+                "製品の説明書に代わるものでもありません。")),
 }
 """Texts by their keys: English, Japanese."""

@@ -6,37 +6,29 @@ TEXTS: dict[str, tuple[str, str]] = {
     "kinetic_friction": ("{surface} kinetic friction", "{surface}の動摩擦係数"),
     "field_of": ("“{owner}” {name}", "「{owner}」の{name}"),
     # Bodies
-    "inside_the_section": (
-        "inside the section: below {width:g} m sideways and {height:g} m upwards in size",
-        "断面の内側（横{width:g} m未満、縦{height:g} m未満）の値",
-    ),
-    "bearing_insets": (
-        "smaller, so that the base carries the centre of gravity, {x:g} m right of the middle",
-        "中央から{x:g} m右の重心を底面が支えられる、より小さい値",
-    ),
-    "not_of_its_shape": (
-        "{name} follows from the shape of the body; make another body with Body.hull, .box, .cylinder or .mesh.",
-        "{name}は立体の形から決まります。Body.hull、.box、.cylinder、.meshで別のBodyを作ってください。",
-    ),
-    "another_shape": (
-        "The body has a shape of its own; here it must be made by its section: Body(width, height, mass).",
-        "Bodyに立体の形が指定されています。ここでは断面で作ってください：Body(width, height, mass)。",
-    ),
+    "inside_the_section": ("inside the section: below {width:g} m sideways and {height:g} m upwards in size",
+                           "断面の内側（横{width:g} m未満、縦{height:g} m未満）の値"),
+    "bearing_insets": (("smaller, so that the base carries the centre of gravity, {x:g} m right of the "
+                        "middle"),
+                       "中央から{x:g} m右の重心を底面が支えられる、より小さい値"),
+    "not_of_its_shape": (("{name} follows from the shape of the body; make another body with Body.hull, "
+                          ".box, .cylinder or .mesh."),
+                         ("{name}は立体の形から決まります。Body.hull、.box、.cylinder、"
+                          ".meshで別のBodyを作ってください。")),
+    "another_shape": (("The body has a shape of its own; here it must be made by its section: Body(width, "
+                       "height, mass)."),
+                      ("Bodyに立体の形が指定されています。ここでは断面で作ってください："
+                       "Body(width, height, mass)。")),
     "total_mass": ("The parts' total mass", "部分の質量の合計"),
     # Rooms
     "surface": ("Floor surface", "床の種類"),
     # The start of a run
-    "laid_down": (
-        (
-            "The body is tilted by {tilt:.5g}° at the start, {rest:.5g}° of it at rest; "
-            "it must be less than 90° to either side."
-        ),
-        "家具が最初から{tilt:.5g}°傾いています（うち静止時の傾き{rest:.5g}°）。左右とも90°未満にしてください。",
-    ),
-    "inside": (
-        "The body stands {depth:g} m inside {place} at the start; it must be clear of it.",
-        "家具が最初から{place}に{depth:g} mめり込んでいます。離して置いてください。",
-    ),
+    "laid_down": (("The body is tilted by {tilt:.5g}° at the start, {rest:.5g}° of it at rest; it must be "
+                   "less than 90° to either side."),
+                  ("家具が最初から{tilt:.5g}°傾いています（うち静止時の傾き{rest:.5g}°）。"
+                   "左右とも90°未満にしてください。")),
+    "inside": ("The body stands {depth:g} m inside {place} at the start; it must be clear of it.",
+               "家具が最初から{place}に{depth:g} mめり込んでいます。離して置いてください。"),
     "right_wall": ("the wall in front", "前方の壁"),
     "left_wall": ("the wall behind", "背後の壁"),
     "ceiling": ("the ceiling", "天井"),
@@ -60,20 +52,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     "no_folder": ("in a folder that exists", "存在するフォルダーの中のファイル"),
     "file_is_folder": ("a file, and no folder", "フォルダーではなくファイル"),
     "file_is_input": ("another file than {source}, which is read", "読み込む{source}とは別のファイル"),
-    "without_ffmpeg": (
-        "one in .gif or .html: an MP4 needs ffmpeg, which is not installed",
-        "MP4に必要なffmpegがインストールされていないため、.gifか.htmlのファイル",
-    ),
+    "without_ffmpeg": ("one in .gif or .html: an MP4 needs ffmpeg, which is not installed",
+                       "MP4に必要なffmpegがインストールされていないため、.gifか.htmlのファイル"),
     # Optional libraries
-    "not_installed": (
-        (
-            "{what} needs {module}, which is not installed; pip install '.[{extra}]' in a checkout of stayput "
-            "installs it."
-        ),
-        (
-            "{what}には{module}が必要ですが、インストールされていません。stayputのソースのフォルダーで "
-            "pip install '.[{extra}]' を実行してください。"
-        ),
-    ),
+    "not_installed": (("{what} needs {module}, which is not installed; pip install '.[{extra}]' in a "
+                       "checkout of stayput installs it."),
+                      ("{what}には{module}が必要ですが、インストールされていません。"
+                       "stayputのソースのフォルダーで pip install '.[{extra}]' を実行してください。")),
 }
 """Texts by their keys: English, Japanese."""

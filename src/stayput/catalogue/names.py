@@ -81,35 +81,22 @@ STRUCTURES: dict[str, tuple[str, str]] = {
 """Structures of buildings."""
 
 FAMILIES: dict[str, tuple[tuple[str, str], tuple[str, str]]] = {
-    "mixed": (
-        ("Mixed", "いろいろな地震"),
-        ("all kinds of earthquake that furniture in Japan may meet", "日本の家具が遭いうるさまざまな地震"),
-    ),
-    "near-fault": (
-        ("Right above the fault", "直下型地震"),
-        (
-            "a shallow earthquake next to its fault, in the manner of Kobe in 1995: short, with a strong push",
-            "断層のすぐ近くの浅い地震（1995年の神戸のような揺れ）。短く、強いパルス状の揺れが来る",
-        ),
-    ),
-    "crustal": (
-        ("In the crust, some way off", "内陸の地殻内地震"),
-        ("a shallow earthquake some tens of kilometres away", "数十キロ離れた浅い地震"),
-    ),
-    "subduction": (
-        ("At the plate boundary", "海溝型の巨大地震"),
-        (
-            "a great earthquake, in the manner of Tohoku in 2011: minutes of shaking, in one or more bursts",
-            "巨大地震（2011年の東北のような揺れ）。何分も続き、強い揺れが何度か来ることもある",
-        ),
-    ),
-    "basin": (
-        ("Long-period, in a basin", "平野の長周期地震動"),
-        (
-            "a great earthquake far away, felt in a deep basin as slow swaying",
-            "遠くの巨大地震が深い平野でゆっくりした長い揺れになる",
-        ),
-    ),
+    "mixed": (("Mixed", "いろいろな地震"),
+              ("all kinds of earthquake that furniture in Japan may meet",
+               "日本の家具が遭いうるさまざまな地震")),
+    "near-fault": (("Right above the fault", "直下型地震"),
+                   (("a shallow earthquake next to its fault, in the manner of Kobe in 1995: short, with a "
+                     "strong push"),
+                    "断層のすぐ近くの浅い地震（1995年の神戸のような揺れ）。短く、強いパルス状の揺れが来る")),
+    "crustal": (("In the crust, some way off", "内陸の地殻内地震"),
+                ("a shallow earthquake some tens of kilometres away", "数十キロ離れた浅い地震")),
+    "subduction": (("At the plate boundary", "海溝型の巨大地震"),
+                   (("a great earthquake, in the manner of Tohoku in 2011: minutes of shaking, in one or "
+                     "more bursts"),
+                    "巨大地震（2011年の東北のような揺れ）。何分も続き、強い揺れが何度か来ることもある")),
+    "basin": (("Long-period, in a basin", "平野の長周期地震動"),
+              ("a great earthquake far away, felt in a deep basin as slow swaying",
+               "遠くの巨大地震が深い平野でゆっくりした長い揺れになる")),
 }
 """Families of earthquakes: what they are called, and what they are."""
 
@@ -198,35 +185,21 @@ INTENSITIES: dict[str, tuple[str, str]] = {
 PEOPLE: dict[str, tuple[str, str]] = {
     "0": ("Nobody notices; only instruments do.", "人は気づかず、計器だけが感じる。"),
     "1": ("A few people who sit quietly indoors notice.", "屋内で静かにしている人の一部が気づく。"),
-    "2": (
-        "Most people who sit quietly indoors notice, and some sleepers wake.",
-        "屋内で静かにしている人の大半が気づき、眠っている人の一部が目を覚ます。",
-    ),
-    "3": (
-        "Almost all people indoors notice, as do some who walk; most sleepers wake.",
-        "屋内のほとんどの人と歩いている人の一部が気づく。眠っている人の大半が目を覚ます。",
-    ),
-    "4": (
-        "Almost all people are startled; those who walk notice, and sleepers wake.",
-        "ほとんどの人が驚く。歩いている人も気づき、眠っている人は目を覚ます。",
-    ),
-    "5-lower": (
-        "Most people are frightened and reach for something to hold on to.",
-        "大半の人が怖いと感じ、物につかまりたくなる。",
-    ),
-    "5-upper": (
-        "Most people find it hard to walk without holding on to something.",
-        "大半の人が、物につかまらないと歩きにくい。",
-    ),
+    "2": ("Most people who sit quietly indoors notice, and some sleepers wake.",
+          "屋内で静かにしている人の大半が気づき、眠っている人の一部が目を覚ます。"),
+    "3": ("Almost all people indoors notice, as do some who walk; most sleepers wake.",
+          "屋内のほとんどの人と歩いている人の一部が気づく。眠っている人の大半が目を覚ます。"),
+    "4": ("Almost all people are startled; those who walk notice, and sleepers wake.",
+          "ほとんどの人が驚く。歩いている人も気づき、眠っている人は目を覚ます。"),
+    "5-lower": ("Most people are frightened and reach for something to hold on to.",
+                "大半の人が怖いと感じ、物につかまりたくなる。"),
+    "5-upper": ("Most people find it hard to walk without holding on to something.",
+                "大半の人が、物につかまらないと歩きにくい。"),
     "6-lower": ("Standing is hard.", "立っているのが難しい。"),
-    "6-upper": (
-        "Nobody can stand; people crawl, and may be thrown off their feet.",
-        "立っていられず、はって動くしかない。体が投げ出されることもある。",
-    ),
-    "7": (
-        "Nobody can stand or move as they wish; people may be thrown.",
-        "思うように動けず、体が投げ出されることもある。",
-    ),
+    "6-upper": ("Nobody can stand; people crawl, and may be thrown off their feet.",
+                "立っていられず、はって動くしかない。体が投げ出されることもある。"),
+    "7": ("Nobody can stand or move as they wish; people may be thrown.",
+          "思うように動けず、体が投げ出されることもある。"),
 }
 """What people meet in a class of JMA's intensity.
 
@@ -239,29 +212,20 @@ ON_FURNITURE: dict[str, tuple[str, str]] = {
     "1": ("Nothing moves.", "何も動かない。"),
     "2": ("Hanging lamps may sway a little.", "つり下げた照明がわずかに揺れることがある。"),
     "3": ("Dishes in a cupboard may rattle.", "棚の食器が音を立てることがある。"),
-    "4": (
-        "Lamps swing, dishes rattle; an unsteady ornament may fall.",
-        "照明が大きく揺れ、食器が鳴る。座りの悪い置物が倒れることがある。",
-    ),
-    "5-lower": (
-        "Books and dishes may drop from shelves; unfixed furniture may shift, what is unsteady may fall.",
-        "棚の本や食器が落ちることがある。固定していない家具がずれ、不安定なものは倒れることがある。",
-    ),
-    "5-upper": (
-        "Many books and dishes drop; a television may come off its stand, unfixed furniture may overturn.",
-        "本や食器の多くが落ちる。テレビが台から落ちたり、固定していない家具が倒れたりすることがある。",
-    ),
-    "6-lower": (
-        "Most unfixed furniture shifts and some overturns; doors may no longer open.",
-        "固定していない家具の大半がずれ、倒れるものもある。扉が開かなくなることがある。",
-    ),
-    "6-upper": (
-        "Almost all unfixed furniture shifts, and much of it overturns.",
-        "固定していない家具のほとんどがずれ、倒れるものが多い。",
-    ),
-    "7": (
-        "Almost all unfixed furniture shifts or overturns, and some is thrown.",
-        "固定していない家具のほとんどがずれたり倒れたりし、飛ぶこともある。",
-    ),
+    "4": ("Lamps swing, dishes rattle; an unsteady ornament may fall.",
+          "照明が大きく揺れ、食器が鳴る。座りの悪い置物が倒れることがある。"),
+    "5-lower": (("Books and dishes may drop from shelves; unfixed furniture may shift, what is unsteady "
+                 "may fall."),
+                "棚の本や食器が落ちることがある。固定していない家具がずれ、不安定なものは倒れることがある。"),
+    "5-upper": (("Many books and dishes drop; a television may come off its stand, unfixed furniture may "
+                 "overturn."),
+                ("本や食器の多くが落ちる。テレビが台から落ちたり、"
+                 "固定していない家具が倒れたりすることがある。")),
+    "6-lower": ("Most unfixed furniture shifts and some overturns; doors may no longer open.",
+                "固定していない家具の大半がずれ、倒れるものもある。扉が開かなくなることがある。"),
+    "6-upper": ("Almost all unfixed furniture shifts, and much of it overturns.",
+                "固定していない家具のほとんどがずれ、倒れるものが多い。"),
+    "7": ("Almost all unfixed furniture shifts or overturns, and some is thrown.",
+          "固定していない家具のほとんどがずれたり倒れたりし、飛ぶこともある。"),
 }
 """What a class of JMA's intensity does to furniture."""

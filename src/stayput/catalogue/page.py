@@ -29,10 +29,8 @@ SHARED = (
 
 TEXTS: dict[str, tuple[str, str]] = {
     "space": (" ", ""),
-    "title": (
-        "stayput: will my furniture stay put in an earthquake?",
-        "stayput：地震のとき、家具は倒れずにいられるか",
-    ),
+    "title": ("stayput: will my furniture stay put in an earthquake?",
+              "stayput：地震のとき、家具は倒れずにいられるか"),
     "claim": ("Will my furniture stay put in an earthquake?", "地震のとき、家具は倒れずにいられるか"),
     "toRoom": ("A whole room", "部屋全体"),
     "language": ("Language", "言語"),
@@ -44,10 +42,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "keep": ("Keep it", "保存する"),
     "understood": ("Understood", "閉じる"),
     "notKnown": ("not known", "不明"),
-    "away": (
-        "The server does not answer. Is stayput app still running? The page asks again until it is back, then goes on.",
-        "サーバーから応答がありません。stayput app は動いていますか。応答があるまで自動で問い合わせ、戻れば続きを行います。",
-    ),
+    "away": (("The server does not answer. Is stayput app still running? The page asks again until it is "
+              "back, then goes on."),
+             ("サーバーから応答がありません。stayput app は動いていますか。"
+              "応答があるまで自動で問い合わせ、戻れば続きを行います。")),
     "toLight": ("Light theme", "明るい表示にする"),
     "toDark": ("Dark theme", "暗い表示にする"),
     "toSee": ("See it shake", "揺らしてみる"),
@@ -59,22 +57,21 @@ TEXTS: dict[str, tuple[str, str]] = {
     "engine": ("How is it shaken?", "揺れの計算のしかた"),
     "engine_plane": ("In the plane (one direction)", "平面（1方向）"),
     "engine_space": ("In space (three directions)", "三次元（3方向）"),
-    "engineHint": (
-        "In space the piece is shaken from all sides, may fall over a corner or sideways, and turn; working out the chances takes half a minute or more. In the plane it is shaken to the front and the back alone: quick, but its fastenings then bear too little.",
-        "三次元では、あらゆる向きの揺れで角や横の方向に倒れたり、向きが変わったりします。確率の計算には30秒以上かかります。平面では前後の揺れだけを考えるので速い反面、固定器具にかかる力は小さめに出ます。",
-    ),
+    "engineHint": (("In space the piece is shaken from all sides, may fall over a corner or sideways, and "
+                    "turn; working out the chances takes half a minute or more. In the plane it is shaken "
+                    "to the front and the back alone: quick, but its fastenings then bear too little."),
+                   ("三次元では、あらゆる向きの揺れで角や横の方向に倒れたり、向きが変わったりします。"
+                    "確率の計算には30秒以上かかります。平面では前後の揺れだけを考えるので速い反面、"
+                    "固定器具にかかる力は小さめに出ます。")),
     "base": ("What bears on the floor", "床に接する部分"),
     "mass": ("Mass with its content", "中身を含む重さ"),
     "carcass": ("Mass when empty", "空のときの重さ"),
-    "widthHint": (
-        "Seen from the side: the piece falls to the front or against the wall.",
-        "横から見た図です。家具は手前か壁側に倒れます。",
-    ),
+    "widthHint": ("Seen from the side: the piece falls to the front or against the wall.",
+                  "横から見た図です。家具は手前か壁側に倒れます。"),
     "centre": ("Where its weight is", "重心の位置"),
-    "centreHint": (
-        "Height of the centre of gravity, as a part of the height. Heavy things at the bottom: below 50 %.",
-        "家具の高さに対する重心の高さの割合です。重い物を下に入れると50%より小さくなります。",
-    ),
+    "centreHint": (("Height of the centre of gravity, as a part of the height. Heavy things at the "
+                    "bottom: below 50 %."),
+                   "家具の高さに対する重心の高さの割合です。重い物を下に入れると50%より小さくなります。"),
     "loading": ("What is on the shelves", "棚に載せる物"),
     "contents": ("What may come out", "飛び出しを調べる収納物"),
     "noContents": ("Not computed", "計算しない"),
@@ -85,14 +82,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     "load_empty": ("Empty", "空"),
     "eachShelf": ("Shelf by shelf", "棚ごとに決める"),
     "shelf": ("Shelf {n} from the bottom", "下から{n}段目"),
-    "balance": (
-        "{mass} kg in all. The centre of gravity G is {up} above the floor; pushed slowly, the piece tips over at {angle}°.",
-        "全体で{mass} kg。重心Gは床から{up}の高さにあり、ゆっくり押すと{angle}°で倒れます。",
-    ),
-    "sketchAlt": (
-        "The piece from its side, beside a person 1.6 m tall: {mass} kg, centre of gravity {up} above the floor.",
-        "横から見た家具と身長1.6 mの人。重さ{mass} kg、重心の高さは床から{up}。",
-    ),
+    "balance": (("{mass} kg in all. The centre of gravity G is {up} above the floor; pushed slowly, the "
+                 "piece tips over at {angle}°."),
+                "全体で{mass} kg。重心Gは床から{up}の高さにあり、ゆっくり押すと{angle}°で倒れます。"),
+    "sketchAlt": (("The piece from its side, beside a person 1.6 m tall: {mass} kg, centre of gravity "
+                   "{up} above the floor."),
+                  "横から見た家具と身長1.6 mの人。重さ{mass} kg、重心の高さは床から{up}。"),
     "whereStands": ("Where does it stand?", "どこに置いていますか"),
     "floor": ("On what floor", "床の種類"),
     "wall": ("There is a wall behind it", "後ろに壁がある"),
@@ -111,48 +106,40 @@ TEXTS: dict[str, tuple[str, str]] = {
     "intensityClass": ("Class of the JMA scale", "震度階級"),
     "family": ("Kind of earthquake", "地震の種類"),
     "member": ("Which earthquake of this kind", "何番目の地震か"),
-    "memberHint": (
-        "Each one is different, even at one intensity. The animation shows this one; the chances are worked out from many.",
-        "同じ震度でも地震ごとに揺れ方が違います。アニメーションはこの地震のもので、確率は多くの地震から求めます。",
-    ),
+    "memberHint": (("Each one is different, even at one intensity. The animation shows this one; the "
+                    "chances are worked out from many."),
+                   ("同じ震度でも地震ごとに揺れ方が違います。アニメーションはこの地震のもので、"
+                    "確率は多くの地震から求めます。")),
     "scaled": ("Make the record as strong as stated above", "記録を上で決めた強さに合わせて拡大・縮小する"),
-    "meaningSource": (
-        "Abridged from the explanation of the scale by the Japan Meteorological Agency (JMA).",
-        "気象庁震度階級関連解説表を要約したものです。",
-    ),
+    "meaningSource": ("Abridged from the explanation of the scale by the Japan Meteorological Agency (JMA).",
+                      "気象庁震度階級関連解説表を要約したものです。"),
     "dropHere": ("Your own record: drop a file here, or", "手持ちの記録：ファイルをここにドロップするか、"),
     "ownRecord": ("Your own record:", "手持ちの地震記録："),
     "chooseFile": ("choose one", "ファイルを選ぶ"),
     "sending": ("Reading the file …", "ファイルを読み込んでいます…"),
     "dropPieces": ("Scenarios of several pieces are shown, too.", "複数の家具の条件ファイルも表示できます。"),
-    "onePieceFile": (
-        "This scenario has one piece; set it with the fields here. Files of several pieces are shown as they are.",
-        "この条件ファイルの家具は1つです。ここの欄で設定してください。そのまま表示できるのは、複数の家具の条件ファイルです。",
-    ),
+    "onePieceFile": (("This scenario has one piece; set it with the fields here. Files of several pieces "
+                      "are shown as they are."),
+                     ("この条件ファイルの家具は1つです。ここの欄で設定してください。"
+                      "そのまま表示できるのは、複数の家具の条件ファイルです。")),
     "shaking": ("Reading the file and shaking its pieces …", "ファイルを読み、家具を揺らしています…"),
-    "notText": (
-        "This file cannot be used: it is not text in UTF-8.",
-        "このファイルは使えません。文字コードをUTF-8にして保存してください。",
-    ),
-    "recordBeside": (
-        "This file cannot be used: it names a record's file, which the page cannot read. Built-in motions, suites and sines are possible.",
-        "このファイルは使えません。地震記録のファイルは、このページから読めません。組み込みの地震動、地震動の組、正弦波を使ってください。",
-    ),
-    "linkDamaged": (
-        "The link is damaged: it does not hold all of the file “{name}”.",
-        "リンクが壊れています。ファイル「{name}」の内容がそろっていません。",
-    ),
+    "notText": ("This file cannot be used: it is not text in UTF-8.",
+                "このファイルは使えません。文字コードをUTF-8にして保存してください。"),
+    "recordBeside": (("This file cannot be used: it names a record's file, which the page cannot read. "
+                      "Built-in motions, suites and sines are possible."),
+                     ("このファイルは使えません。地震記録のファイルは、このページから読めません。"
+                      "組み込みの地震動、地震動の組、正弦波を使ってください。")),
+    "linkDamaged": ("The link is damaged: it does not hold all of the file “{name}”.",
+                    "リンクが壊れています。ファイル「{name}」の内容がそろっていません。"),
     "piecesTitle": ("The pieces in “{name}”", "「{name}」の家具"),
-    "piecesNote": (
-        "They are shown as the file says, in space. What is set under “Set the scene” is for a piece of your own.",
-        "ファイルの内容のとおりに、三次元で計算しています。「条件を決める」の設定は、自分の家具のものです。",
-    ),
+    "piecesNote": (("They are shown as the file says, in space. What is set under “Set the scene” is for "
+                    "a piece of your own."),
+                   ("ファイルの内容のとおりに、三次元で計算しています。「条件を決める」の設定は、"
+                    "自分の家具のものです。")),
     "piecesShaken": ("The pieces", "家具"),
     "ownPiece": ("Back to my own piece", "自分の家具に戻る"),
-    "state_pieces": (
-        "Chances and rankings are for one piece; this file has several.",
-        "確率と対策の比較は、家具が1つのときにだけ計算します。",
-    ),
+    "state_pieces": ("Chances and rankings are for one piece; this file has several.",
+                     "確率と対策の比較は、家具が1つのときにだけ計算します。"),
     "file_unit": ("Unit", "単位"),
     "file_dt": ("Time step [s]", "時間刻み [s]"),
     "file_component": ("Channel", "チャンネル"),
@@ -161,48 +148,38 @@ TEXTS: dict[str, tuple[str, str]] = {
     "withoutRecord": ("Without this record", "この記録を使わない"),
     "recordAlt": ("The record's acceleration over time", "記録の加速度の時間変化"),
     "recordStrength": (", JMA intensity {at} ({class})", "、計測震度{at}（{class}）"),
-    "whichChannel": (
-        "Component that shakes the piece (horizontal ones in the file: {n})",
-        "家具を水平に揺らす成分（ファイルの水平成分：{n}）",
-    ),
+    "whichChannel": ("Component that shakes the piece (horizontal ones in the file: {n})",
+                     "家具を水平に揺らす成分（ファイルの水平成分：{n}）"),
     "oneChannel": ("Component: {name}.", "成分：{name}。"),
     "verticalChannel": ("{name} (vertical)", "{name}（上下動）"),
-    "recordGone": (
-        "The record{name} is no longer on the server; drop it again under “Set the scene”.",
-        "記録{name}はサーバーに残っていません。「条件を決める」でもう一度ドロップしてください。",
-    ),
+    "recordGone": ("The record{name} is no longer on the server; drop it again under “Set the scene”.",
+                   "記録{name}はサーバーに残っていません。「条件を決める」でもう一度ドロップしてください。"),
     "recordName": (" “{name}”", "「{name}」"),
     "recordReplaced": ("What you see is a computed earthquake.", "今の図は計算で作った揺れによるものです。"),
     "whatHolds": ("What holds it?", "どんな対策をしますか"),
     "moreMeasures": ("More measures", "ほかの対策"),
     "installed": ("Show how it is as people install it, too", "実際の取付けの不備も考える"),
-    "installedHint": (
-        "Some measures are put up badly in many homes: into plasterboard instead of a stud, or loosely. The ranking then has both numbers.",
-        "下地のない石こうボードに留める、緩いまま使うなど、取付けに不備のある例は多くあります。対策の比較に両方の数値を示します。",
-    ),
+    "installedHint": (("Some measures are put up badly in many homes: into plasterboard instead of a "
+                       "stud, or loosely. The ranking then has both numbers."),
+                      ("下地のない石こうボードに留める、緩いまま使うなど、"
+                       "取付けに不備のある例は多くあります。対策の比較に両方の数値を示します。")),
     "adjust": ("Adjust", "細かく設定する"),
     "outside": ("From {low} to {high}{unit}.", "{low}～{high}{unit}の範囲で指定できます。"),
     "isLeftOut": ("Left out for now.", "今は計算に含めていません。"),
-    "leftOut_wall": (
-        "Left out, since there is no wall behind the piece: {measures}.",
-        "後ろに壁がないため、次の対策は計算に含めていません：{measures}。",
-    ),
-    "leftOut_ceiling": (
-        "Left out, since there is no ceiling above the piece: {measures}.",
-        "上に天井がないため、次の対策は計算に含めていません：{measures}。",
-    ),
-    "ceilingTooLow": (
-        "The room is {ceiling} high and the piece {height}: it does not go under this ceiling, so there is none in the simulation.",
-        "天井の高さ（{ceiling}）が家具の高さ（{height}）以下なので、家具が入りません。天井はないものとして計算しています。",
-    ),
+    "leftOut_wall": ("Left out, since there is no wall behind the piece: {measures}.",
+                     "後ろに壁がないため、次の対策は計算に含めていません：{measures}。"),
+    "leftOut_ceiling": ("Left out, since there is no ceiling above the piece: {measures}.",
+                        "上に天井がないため、次の対策は計算に含めていません：{measures}。"),
+    "ceilingTooLow": (("The room is {ceiling} high and the piece {height}: it does not go under this "
+                       "ceiling, so there is none in the simulation."),
+                      ("天井の高さ（{ceiling}）が家具の高さ（{height}）以下なので、家具が入りません。"
+                       "天井はないものとして計算しています。")),
     "needs_wall": ("This needs a wall behind the piece.", "家具の後ろに壁が必要です。"),
     "needs_ceiling": ("This needs a ceiling above the piece.", "家具の上に天井が必要です。"),
     "confidence_high": ("Well known.", "よく知られた値です。"),
     "confidence_medium": ("A usual value.", "一般的な値です。"),
-    "confidence_low": (
-        "A rough default; change it if you know better.",
-        "おおよその初期値です。正確な値が分かれば変えてください。",
-    ),
+    "confidence_low": ("A rough default; change it if you know better.",
+                       "おおよその初期値です。正確な値が分かれば変えてください。"),
     "place_left": ("left", "左"),
     "place_right": ("right", "右"),
     "place_front": ("front", "前"),
@@ -230,30 +207,32 @@ TEXTS: dict[str, tuple[str, str]] = {
     "tower": ("The building, its sway drawn larger", "建物（揺れは拡大表示）"),
     "towerAlt": ("The building; the storey of the furniture is marked", "外から見た建物。家具のある階に印"),
     "again": ("From the beginning", "最初から"),
-    "inPlaneNote": (
-        "Followed in the plane of its depth: shaken forwards, backwards, up and down. Shaking along its length and turning are left out.",
-        "奥行き方向の断面内の動き（前後と上下）を計算しています。左右方向の揺れと水平面内の回転は含みません。",
-    ),
-    "turnNote": (
-        "The room moves with the shaking unless that is switched off. Drag sideways to turn the picture, pinch or Ctrl and the wheel to come nearer; with the picture in focus, the arrow keys turn it. The lighter or striped side is the front. What holds the piece is drawn over it; a cross marks where it has failed. Space plays and pauses, the arrow keys step.",
-        "設定を外さない限り、部屋は地震とともに動きます。横にドラッグすると回転し、つまむ操作やコントロールキーとホイールで拡大・縮小できます。図を選ぶと矢印キーでも回転します。明るい面または縞のある側が正面です。器具は家具の上に重ねて描き、壊れた所には×印を付けています。スペースキーで再生・停止、矢印キーでコマ送りできます。",
-    ),
+    "inPlaneNote": (("Followed in the plane of its depth: shaken forwards, backwards, up and down. "
+                     "Shaking along its length and turning are left out."),
+                    ("奥行き方向の断面内の動き（前後と上下）を計算しています。"
+                     "左右方向の揺れと水平面内の回転は含みません。")),
+    "turnNote": (("The room moves with the shaking unless that is switched off. Drag sideways to turn the "
+                  "picture, pinch or Ctrl and the wheel to come nearer; with the picture in focus, the "
+                  "arrow keys turn it. The lighter or striped side is the front. What holds the piece is "
+                  "drawn over it; a cross marks where it has failed. Space plays and pauses, the arrow "
+                  "keys step."),
+                 ("設定を外さない限り、部屋は地震とともに動きます。横にドラッグすると回転し、"
+                  "つまむ操作やコントロールキーとホイールで拡大・縮小できます。"
+                  "図を選ぶと矢印キーでも回転します。明るい面または縞のある側が正面です。"
+                  "器具は家具の上に重ねて描き、壊れた所には×印を付けています。スペースキーで再生・停止、"
+                  "矢印キーでコマ送りできます。")),
     **{f"scale_{step}": name for step, name in STABILITY.items()},
     "nowInPlane": ("{stands} · tilt {tilt}° · moved {slide}", "{stands}・傾き{tilt}°・移動{slide}"),
-    "nowInSpace": (
-        "{stands} · tilt {tilt}° · moved {slide} · turned {yaw}°",
-        "{stands}・傾き{tilt}°・移動{slide}・回転{yaw}°",
-    ),
+    "nowInSpace": ("{stands} · tilt {tilt}° · moved {slide} · turned {yaw}°",
+                   "{stands}・傾き{tilt}°・移動{slide}・回転{yaw}°"),
     "nowMost": ("largest tilt {tilt}°", "最大の傾き{tilt}°"),
     "placeBorehole": ("In the borehole, below the ground,", "地中（ボアホールの底）で、"),
     "placeGround": ("On the ground,", "地面の上、"),
     "placeStorey": ("On storey {storey} of {storeys},", "{storeys}階建ての{storey}階、"),
     "strength": ("JMA intensity {class} ({at}).", "{class}（計測震度{at}）。"),
     "felt": ("This floor feels an intensity of {at}.", "この階の揺れは震度{at}相当です。"),
-    "synthetic": (
-        "The earthquake is a computed one, not a real record.",
-        "計算で作った地震の揺れで、実際の記録ではありません。",
-    ),
+    "synthetic": ("The earthquake is a computed one, not a real record.",
+                  "計算で作った地震の揺れで、実際の記録ではありません。"),
     "recorded": ("Record: {name}.", "記録：{name}。"),
     "firstThing": ("What happens first", "最初に何が起こるか"),
     "deviceFails": ("{device}: fails", "{device}が破損または脱落する"),
@@ -264,10 +243,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "peakTilt": ("Tilts by up to {tilt}°.", "最大の傾きは{tilt}°。"),
     "peakSlide": ("Slides by up to {slide}.", "最大の移動は{slide}。"),
     "turnedAtEnd": ("Turned by {yaw}° at the end.", "最後の向きのずれは{yaw}°。"),
-    "deviceLoad": (
-        "{device}: up to {force} N, {share} % of its strength.",
-        "{device}：最大{force} N（強さの{share}%）。",
-    ),
+    "deviceLoad": ("{device}: up to {force} N, {share} % of its strength.",
+                   "{device}：最大{force} N（強さの{share}%）。"),
     "histories": ("Second by second", "時間を追って見る"),
     "acceleration": ("Acceleration of the floor", "床の加速度"),
     "tilt": ("Tilt (+ to the front)", "傾き（＋は手前）"),
@@ -282,42 +259,31 @@ TEXTS: dict[str, tuple[str, str]] = {
     "axis_z": ("up–down", "上下"),
     "force": ("Force in the devices", "器具にかかる力"),
     "seconds": ("time [s]", "時刻 [s]"),
-    "historiesAlt": (
-        "Floor acceleration with a peak of {pga} m/s², tilt up to {tilt}°, slide and forces over time",
-        "床の加速度（最大{pga} m/s²）、傾き（最大{tilt}°）、移動、力の時間変化",
-    ),
-    "historiesNote": (
-        "Click or drag in the picture to choose the instant; the animation follows.",
-        "図をクリックまたはドラッグすると時刻を選べ、アニメーションも動きます。",
-    ),
+    "historiesAlt": (("Floor acceleration with a peak of {pga} m/s², tilt up to {tilt}°, slide and forces "
+                      "over time"),
+                     "床の加速度（最大{pga} m/s²）、傾き（最大{tilt}°）、移動、力の時間変化"),
+    "historiesNote": ("Click or drag in the picture to choose the instant; the animation follows.",
+                      "図をクリックまたはドラッグすると時刻を選べ、アニメーションも動きます。"),
     "howLikely": ("How likely is it?", "どのくらい起こりやすいか"),
-    "chanceWithout": (
-        "Without any measure it falls over in {share} of such earthquakes.",
-        "対策をしないと、このような地震の{share}で倒れます。",
-    ),
-    "chanceOfRecord": (
-        "Without any measure it falls over in {share} of the cases under this record.",
-        "対策をしないと、この記録の揺れでは{share}の場合に倒れます。",
-    ),
-    "basisOfRecord": (
-        "Simulations with this record: {runs}; friction, weight and strength of the devices were varied. {seconds} s of computing.",
-        "この記録による{runs}回の計算から求めました。摩擦、重さ、器具の強さのばらつきを考えています。計算時間は{seconds}秒です。",
-    ),
-    "chanceUnknown": (
-        "{measures}: not known, since no simulation came to its end.",
-        "{measures}：最後まで計算できた例がないため、分かりません。",
-    ),
-    "chanceWith": (
-        "With {measures} it falls over in {share}.",
-        "「{measures}」があると、倒れるのは{share}です。",
-    ),
+    "chanceWithout": ("Without any measure it falls over in {share} of such earthquakes.",
+                      "対策をしないと、このような地震の{share}で倒れます。"),
+    "chanceOfRecord": ("Without any measure it falls over in {share} of the cases under this record.",
+                       "対策をしないと、この記録の揺れでは{share}の場合に倒れます。"),
+    "basisOfRecord": (("Simulations with this record: {runs}; friction, weight and strength of the "
+                       "devices were varied. {seconds} s of computing."),
+                      ("この記録による{runs}回の計算から求めました。摩擦、重さ、"
+                       "器具の強さのばらつきを考えています。計算時間は{seconds}秒です。")),
+    "chanceUnknown": ("{measures}: not known, since no simulation came to its end.",
+                      "{measures}：最後まで計算できた例がないため、分かりません。"),
+    "chanceWith": ("With {measures} it falls over in {share}.",
+                   "「{measures}」があると、倒れるのは{share}です。"),
     "shareBetween": ("{low} to {high}", "{low}～{high}"),
     "chanceBetween": ("{share} ({ends})", "{share}（{ends}）"),
     "tens": ("{title}: {share} fall (pale: not sure)", "{title}：{share}が倒れる（薄い色：不確か）"),
-    "basis": (
-        "Simulations: {runs}, with different earthquakes: {motions}; friction, weight and strength of the devices were varied too. {seconds} s of computing.",
-        "{motions}種類の地震による{runs}回の計算から求めました。摩擦、重さ、器具の強さのばらつきも考えています。計算時間は{seconds}秒です。",
-    ),
+    "basis": (("Simulations: {runs}, with different earthquakes: {motions}; friction, weight and strength "
+               "of the devices were varied too. {seconds} s of computing."),
+              ("{motions}種類の地震による{runs}回の計算から求めました。摩擦、重さ、"
+               "器具の強さのばらつきも考えています。計算時間は{seconds}秒です。")),
     "alsoSlides": ("It slides by over {limit} in {share}.", "{share}の場合に{limit}より大きく移動します。"),
     "alsoFails": ("A device fails in {share} ({device}).", "{share}の場合に{device}が破損または脱落します。"),
     "verify": ("Work it out again", "もう一度計算する"),
@@ -333,19 +299,15 @@ TEXTS: dict[str, tuple[str, str]] = {
     "state_cancelled": ("Stopped.", "中止しました。"),
     "state_refused": ("", ""),
     "whatHelps": ("What helps most?", "どの対策が最も効くか"),
-    "rankingRough": (
-        "So far; runs of each: {runs}. It may still change.",
-        "ここまで各{runs}回の計算による順位です。まだ変わることがあります。",
-    ),
-    "rankingNote": (
-        "The bar is the chance of falling over, the thin line is how sure that is. Best first. The letter is the grade of the inputs.",
-        "棒は倒れる確率、細い線はその確かさを表します。効果の高い順です。「根拠」は入力の区分です。",
-    ),
+    "rankingRough": ("So far; runs of each: {runs}. It may still change.",
+                     "ここまで各{runs}回の計算による順位です。まだ変わることがあります。"),
+    "rankingNote": (("The bar is the chance of falling over, the thin line is how sure that is. Best "
+                     "first. The letter is the grade of the inputs."),
+                    ("棒は倒れる確率、細い線はその確かさを表します。効果の高い順です。"
+                     "「根拠」は入力の区分です。")),
     "grade": ("inputs: {grade}", "根拠：{grade}"),
-    "gradeOf": (
-        "Grade {grade}, that of the weakest inputs that this number rests on: {inputs}",
-        "この数値を左右する最も不確かな入力の区分 {grade}：{inputs}",
-    ),
+    "gradeOf": ("Grade {grade}, that of the weakest inputs that this number rests on: {inputs}",
+                "この数値を左右する最も不確かな入力の区分 {grade}：{inputs}"),
     "inPlace": ("yours", "選んだ対策"),
     "try": ("Try this", "試す"),
     "tryThis": ("Try this: {name}", "試す：{name}"),
@@ -360,19 +322,15 @@ TEXTS: dict[str, tuple[str, str]] = {
     "within": ("something between {low} and {high}", "{low}～{high}のあいだ"),
     "alone": ("{at} (one earthquake alone)", "{at}（地震動1つだけによる値）"),
     "unknown": ("an intensity that is not known", "不明"),
-    "fragilityAlt": (
-        "Chance of falling over against JMA intensity; your scene is at {here}",
-        "計測震度と倒れる確率の関係。現在の条件は震度{here}",
-    ),
-    "curvesInSpace": (
-        "In space the curves take some minutes, so they are worked out only when you ask for them.",
-        "三次元の計算では曲線を求めるのに数分かかるため、必要なときだけ計算します。",
-    ),
+    "fragilityAlt": ("Chance of falling over against JMA intensity; your scene is at {here}",
+                     "計測震度と倒れる確率の関係。現在の条件は震度{here}"),
+    "curvesInSpace": (("In space the curves take some minutes, so they are worked out only when you ask "
+                       "for them."),
+                      "三次元の計算では曲線を求めるのに数分かかるため、必要なときだけ計算します。"),
     "askCurves": ("Work out the curves", "曲線を計算する"),
-    "fragilityNote": (
-        "Marks: what the simulations gave; lines: the nearest rising shares; shaded: where they may lie (95 %).",
-        "印は計算で得られた割合、線は増加のみを仮定した当てはめ、塗った部分は95%の範囲です。",
-    ),
+    "fragilityNote": (("Marks: what the simulations gave; lines: the nearest rising shares; shaded: where "
+                       "they may lie (95 %)."),
+                      "印は計算で得られた割合、線は増加のみを仮定した当てはめ、塗った部分は95%の範囲です。"),
     "thinking": ("Working it out …", "計算しています…"),
     "everydayTitle": ("And without an earthquake?", "地震がないときは"),
     "drawers": ("Drawers that can be open at once", "同時に開けられる引き出しの数"),
@@ -381,24 +339,22 @@ TEXTS: dict[str, tuple[str, str]] = {
     "everydayNever": ("cannot tip it", "倒れません"),
     "everydayMargin": ("margin {margin}", "余裕 {margin}"),
     "estimatesTitle": ("What do formulas and standards say?", "略算式や基準では"),
-    "estimatesNote": (
-        "For the piece without measures. They are not the simulation, and none of them is a certificate.",
-        "対策なしの場合です。シミュレーションとは別の目安であり、適合を証明するものではありません。",
-    ),
-    "disclaimer": (
-        "A computation with simple models and usual values, to help understand. It is no guarantee that a piece of furniture is safe.",
-        "簡単なモデルと一般的な値による、理解を助けるための計算です。家具の安全を保証するものではありません。",
-    ),
+    "estimatesNote": (("For the piece without measures. They are not the simulation, and none of them is "
+                       "a certificate."),
+                      ("対策なしの場合です。シミュレーションとは別の目安であり、"
+                       "適合を証明するものではありません。")),
+    "disclaimer": (("A computation with simple models and usual values, to help understand. It is no "
+                    "guarantee that a piece of furniture is safe."),
+                   ("簡単なモデルと一般的な値による、理解を助けるための計算です。"
+                    "家具の安全を保証するものではありません。")),
     "apiDocs": ("For programs: the API", "プログラムから使うには：API"),
-    "outdated": (
-        "What you see is from before the change. The new one is being computed.",
-        "表示中の図は変更前のものです。新しい条件で計算しています。",
-    ),
+    "outdated": ("What you see is from before the change. The new one is being computed.",
+                 "表示中の図は変更前のものです。新しい条件で計算しています。"),
     "computing": ("The first picture is being computed.", "最初の図を計算しています。"),
-    "warming": (
-        "The server is getting ready. At the very first start it compiles the mechanics, which takes about half a minute; then the first picture comes.",
-        "サーバーが準備をしています。初めて起動したときは計算部の準備に30秒ほどかかり、その後に最初の図が出ます。",
-    ),
+    "warming": (("The server is getting ready. At the very first start it compiles the mechanics, which "
+                 "takes about half a minute; then the first picture comes."),
+                ("サーバーが準備をしています。初めて起動したときは計算部の準備に30秒ほどかかり、"
+                 "その後に最初の図が出ます。")),
     "gone": ("The server no longer has this; ask again.", "結果が残っていません。計算し直してください。"),
     "tooSlow": ("The connection was too slow; try again.", "通信が遅すぎました。もう一度お試しください。"),
     "broken": ("Something went wrong; please try again.", "うまくいきませんでした。もう一度お試しください。"),
@@ -407,18 +363,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     "tooLarge": ("The file is too large.", "ファイルが大きすぎます。"),
     "refused": ("This cannot be computed:", "この条件では計算できません。"),
     # The last step, where what was found is kept
-    "linkRecord": (
-        "The record “{name}” is too large for the link, which shows it only while this server still has it: send the file too.",
-        "記録「{name}」は大きいため、リンクには入りません。リンクで表示できるのは、このサーバーに記録が残っている間だけです。記録のファイルも一緒に渡してください。",
-    ),
-    "withoutVertical": (
-        "What you see is the horizontal record alone, without a vertical component.",
-        "今の図は、上下成分を除いた水平方向の記録だけによるものです。",
-    ),
-    "linkLong": (
-        "This file is too large for a link, and for the page to show it again when it is loaded anew: keep the file itself.",
-        "このファイルは大きいため、リンクにはできません。ページを読み込み直したときも、もう一度ファイルを開いてください。",
-    ),
+    "linkRecord": (("The record “{name}” is too large for the link, which shows it only while this server "
+                    "still has it: send the file too."),
+                   ("記録「{name}」は大きいため、リンクには入りません。リンクで表示できるのは、"
+                    "このサーバーに記録が残っている間だけです。記録のファイルも一緒に渡してください。")),
+    "withoutVertical": ("What you see is the horizontal record alone, without a vertical component.",
+                        "今の図は、上下成分を除いた水平方向の記録だけによるものです。"),
+    "linkLong": (("This file is too large for a link, and for the page to show it again when it is loaded "
+                  "anew: keep the file itself."),
+                 ("このファイルは大きいため、リンクにはできません。ページを読み込み直したときも、"
+                  "もう一度ファイルを開いてください。")),
     "addressLabel": ("A link that shows this again", "この内容を再現するリンク"),
     "copy": ("Copy", "コピー"),
     "copied": ("The link is on the clipboard.", "リンクをコピーしました。"),
@@ -435,9 +389,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "mp4With": ("Animation with the measures, 10 s (MP4)", "対策ありの動画、10秒（MP4）"),
     "drawingNow": ("Drawing …", "作成中…"),
     "drawing": ("Drawing it, which may take half a minute …", "描いています。30秒ほどかかります…"),
-    "reportWait": (
-        "Report and table are there once the chances have been worked out.",
-        "報告書と表は、確率の計算が終わると保存できます。",
-    ),
+    "reportWait": ("Report and table are there once the chances have been worked out.",
+                   "報告書と表は、確率の計算が終わると保存できます。"),
 }
 """Texts by their keys: English, Japanese."""

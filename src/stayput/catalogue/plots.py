@@ -4,10 +4,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "axis_overturned": ("Overturned [%]", "転倒した割合 [%]"),
     # Fragility curves.
     "curves_number": ("The number of curves", "曲線の数"),
-    "curves_measures": (
-        "The curves are over {measures}; those of a plot must be over one measure.",
-        "曲線の強さの指標が{measures}と異なっています。1つの図では同じ指標にしてください。",
-    ),
+    "curves_measures": ("The curves are over {measures}; those of a plot must be over one measure.",
+                        "曲線の強さの指標が{measures}と異なっています。1つの図では同じ指標にしてください。"),
     "no_bands": ("; one motion: no bands", "（地震動が1つのため帯なし）"),
     "isotonic": ("Lines: isotonic regression of the marks{alone}", "線：印の単調回帰{alone}"),
     "curve": ("curve", "曲線"),
@@ -16,10 +14,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "per_cent": ("{value:.0f} %", "{value:.0f}%"),
     "probability": ("Probability of overturning", "転倒確率"),
     # Floors of a building.
-    "building": (
-        "{name}, T1 = {period:.3g} s, {kind}: {motion}",
-        "{name}、T1 = {period:.3g} s、{kind}：{motion}",
-    ),
+    "building": ("{name}, T1 = {period:.3g} s, {kind}: {motion}",
+                 "{name}、T1 = {period:.3g} s、{kind}：{motion}"),
     "yielding": ("before yielding", "降伏前"),
     "linear": ("linear", "線形"),
     "floors": ("floors, {component}", "床、{component}"),
@@ -31,17 +27,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     "floor": ("Mass above the ground (0)", "地盤（0）からの質点"),
     "ground": ("ground", "地盤"),
     "periods": ("natural periods", "固有周期"),
-    "mode_shape": (
-        "mode {number}, {period:.3g} s ({percent:.0f} % of the mass)",
-        "{number}次、{period:.3g} s（有効質量比{percent:.0f}%）",
-    ),
+    "mode_shape": ("mode {number}, {period:.3g} s ({percent:.0f} % of the mass)",
+                   "{number}次、{period:.3g} s（有効質量比{percent:.0f}%）"),
     "mode_shapes": ("Mode shape times participation factor", "刺激関数"),
     "period": ("Period [s]", "周期 [s]"),
     "frequency": ("Frequency [Hz]", "振動数 [Hz]"),
-    "floor_sa": (
-        "Floor spectrum Sa, x, {damping:g} % [m/s²]",
-        "床応答スペクトル Sa、x、減衰{damping:g}% [m/s²]",
-    ),
+    "floor_sa": ("Floor spectrum Sa, x, {damping:g} % [m/s²]",
+                 "床応答スペクトル Sa、x、減衰{damping:g}% [m/s²]"),
     "sa_of": ("Sa of {component}, {damping:g} % damping [m/s²]", "{component}のSa、減衰{damping:g}% [m/s²]"),
     "acceleration": ("Acceleration [m/s²]", "加速度 [m/s²]"),
     "velocity": ("Velocity [cm/s]", "速度 [cm/s]"),
@@ -52,14 +44,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     # A motion and its spectra.
     "spectra": ("{name}: spectra, {damping:g} % damping", "{name}：スペクトル、減衰{damping:g}%"),
     "spectrum_sa": ("Acceleration Sa [m/s²]", "加速度応答 Sa [m/s²]"),
-    "projection": (
-        "The projection of ax is {projection}; it must be 'rectilinear', which subplots() takes by default.",
-        "axの投影法が{projection}になっています。subplots()の既定である'rectilinear'の座標軸を指定してください。",
-    ),
-    "not_axes": (
-        "ax is of type {kind}; it must be Matplotlib's Axes, one of those that subplots() returns.",
-        "axが{kind}型になっています。MatplotlibのAxes（subplots()が返すもののうちの1つ）を指定してください。",
-    ),
+    "projection": (("The projection of ax is {projection}; it must be 'rectilinear', which subplots() "
+                    "takes by default."),
+                   ("axの投影法が{projection}になっています。"
+                    "subplots()の既定である'rectilinear'の座標軸を指定してください。")),
+    "not_axes": ("ax is of type {kind}; it must be Matplotlib's Axes, one of those that subplots() returns.",
+                 ("axが{kind}型になっています。"
+                  "MatplotlibのAxes（subplots()が返すもののうちの1つ）を指定してください。")),
     "drifts": ("drifts with the baseline", "基線のずれ"),
     "what": ("What is drawn", "描く量"),
     "across_room": ("Across the room [m]", "部屋の中の位置 [m]"),
@@ -69,10 +60,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "spectrum_psa": ("Pseudo-acceleration ω²·Sd [m/s²]", "擬似加速度応答 ω²·Sd [m/s²]"),
     "spectrum_psv": ("Pseudo-velocity ω·Sd [cm/s]", "擬似速度応答 ω·Sd [cm/s]"),
     "spectrum_sva": ("Absolute velocity Sva [cm/s]", "絶対速度応答 Sva [cm/s]"),
-    "spectrum_fourier": (
-        "Fourier amplitude [cm/s],\nsmoothed (Konno and Ohmachi, b = 40)",
-        "フーリエ振幅 [cm/s]、\n平滑化（Konno・Ohmachi、b = 40）",
-    ),
+    "spectrum_fourier": ("Fourier amplitude [cm/s],\nsmoothed (Konno and Ohmachi, b = 40)",
+                         "フーリエ振幅 [cm/s]、\n平滑化（Konno・Ohmachi、b = 40）"),
     "long_period_class": ("class {number}", "階級{number}"),
     "long_period": ("Lines: JMA's long-period classes, 1.6–7.8 s", "線：長周期地震動階級（1.6～7.8 s）"),
     # A run.
@@ -94,10 +83,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "median": ("median (geometric mean)", "中央値（幾何平均）"),
     "spread": ("median × exp(±σ)", "中央値 × exp(±σ)"),
     "target": ("target: {name}", "目標：{name}"),
-    "usual_scatter": (
-        "usual in ground-motion models, {low:g}–{high:g}",
-        "地震動予測式での通常の範囲、{low:g}–{high:g}",
-    ),
+    "usual_scatter": ("usual in ground-motion models, {low:g}–{high:g}",
+                      "地震動予測式での通常の範囲、{low:g}–{high:g}"),
     "this_suite": ("this suite", "この地震動群"),
     "scatter": ("Standard deviation\nof ln Sa [–]", "ln Saの\n標準偏差 [–]"),
 }

@@ -6,18 +6,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     "nothing": ("Without joints and measures", "接合・対策なし"),
     "on": ("{measure} on {pieces}", "{pieces}に{measure}"),
     # The verdict in a sentence
-    "stays_upright": (
-        "In shaking of JMA intensity {strength} all furniture stays upright without joints and measures{doubt}.",
-        "{strength}の揺れでも、接合・対策なしで家具は転倒しません{doubt}。",
-    ),
-    "none_helps": (
-        ", and nothing that was compared makes it clearly less",
-        "比較した案では明らかには減りません。",
-    ),
-    "none_possible": (
-        "; nothing else was compared, as none of the options is possible",
-        "どの案も設置できないため、比較していません。",
-    ),
+    "stays_upright": (("In shaking of JMA intensity {strength} all furniture stays upright without joints "
+                       "and measures{doubt}."),
+                      "{strength}の揺れでも、接合・対策なしで家具は転倒しません{doubt}。"),
+    "none_helps": (", and nothing that was compared makes it clearly less",
+                   "比較した案では明らかには減りません。"),
+    "none_possible": ("; nothing else was compared, as none of the options is possible",
+                      "どの案も設置できないため、比較していません。"),
     # Why an option stands where it does: clauses
     "if_there": ("{option}", "「{option}」なら"),
     "it": ("furniture", "家具のいずれかが"),
@@ -31,69 +26,49 @@ TEXTS: dict[str, tuple[str, str]] = {
     "slides": ("in 90 % no furniture slides by over {length}", "90%の場合は移動が{length}以内です"),
     # The report
     "report": ("Verification of several pieces of furniture", "複数の家具の地震対策の検証"),
-    "about": (
-        (
-            "Simulated in space, under all components of the motions, with friction and impacts between the "
-            "pieces. Options are ranked by how often any piece of furniture overturns (presets and boxes), then "
-            "by sliding, failing devices and hits on walls; other objects are listed by themselves."
-        ),
-        (
-            "三次元で、地震動のすべての成分と、家具どうしの摩擦・衝突を考慮して計算しました。順位は、いずれかの家具"
-            "（規定の家具と直方体）が転倒する割合、移動、器具の破損、壁への衝突の順で決めています。"
-            "そのほかの物は個別に示します。"
-        ),
-    ),
-    "ranking_text": (
-        "The bars show shares of all runs; the thin line is the 95 % interval.",
-        "棒は全計算に対する割合、細い線は95%区間です。",
-    ),
-    "brief_text": (
-        "Columns of events count any piece of furniture; those of the pieces tell how often each overturns.",
-        "事象の列はいずれかの家具に起こる割合、各家具の列はその家具が転倒する割合です。",
-    ),
-    "simulations": (
-        "{runs} runs: motions × Monte Carlo samples {motions} × {samples} for each option",
-        "合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、各案で計算",
-    ),
+    "about": (("Simulated in space, under all components of the motions, with friction and impacts "
+               "between the pieces. Options are ranked by how often any piece of furniture overturns "
+               "(presets and boxes), then by sliding, failing devices and hits on walls; other objects "
+               "are listed by themselves."),
+              ("三次元で、地震動のすべての成分と、家具どうしの摩擦・衝突を考慮して計算しました。順位は、"
+               "いずれかの家具（規定の家具と直方体）が転倒する割合、移動、器具の破損、"
+               "壁への衝突の順で決めています。そのほかの物は個別に示します。")),
+    "ranking_text": ("The bars show shares of all runs; the thin line is the 95 % interval.",
+                     "棒は全計算に対する割合、細い線は95%区間です。"),
+    "brief_text": (("Columns of events count any piece of furniture; those of the pieces tell how often "
+                    "each overturns."),
+                   "事象の列はいずれかの家具に起こる割合、各家具の列はその家具が転倒する割合です。"),
+    "simulations": ("{runs} runs: motions × Monte Carlo samples {motions} × {samples} for each option",
+                    "合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、各案で計算"),
     "option": ("Option", "案"),
     "any": ("Any furniture overturns", "いずれかの家具が転倒"),
     "each": ("Which pieces overturn", "転倒する家具"),
     "details": ("Joints and devices of each option", "案ごとの接合部と器具"),
     "holds": ("Holds", "取付け先"),
-    "piece_box": (
-        "{width:g} × {length:g} × {height:g} m, {mass:.4g} kg",
-        "{width:g} × {length:g} × {height:g} m、{mass:.4g} kg",
-    ),
+    "piece_box": ("{width:g} × {length:g} × {height:g} m, {mass:.4g} kg",
+                  "{width:g} × {length:g} × {height:g} m、{mass:.4g} kg"),
     "between": ("Friction between the pieces", "家具どうしの摩擦"),
     "drawn_between": ("Friction between pieces, strength of joints", "家具どうしの摩擦と接合部の強さ"),
-    "drawn_between_text": (
-        "drawn by themselves, like friction and the strength of devices; masses, centres and feet of each piece too",
-        "摩擦・器具の強さと同じ分布で別に与える。質量・重心・脚は家具ごとに与える",
-    ),
+    "drawn_between_text": (("drawn by themselves, like friction and the strength of devices; masses, "
+                            "centres and feet of each piece too"),
+                           "摩擦・器具の強さと同じ分布で別に与える。質量・重心・脚は家具ごとに与える"),
     "rolling": ("Slide of round pieces", "丸い物の移動量"),
-    "rolling_text": (
-        "How far they are from where they stood, rolling included.",
-        "置かれていた位置からの距離で、転がりを含みます。",
-    ),
+    "rolling_text": ("How far they are from where they stood, rolling included.",
+                     "置かれていた位置からの距離で、転がりを含みます。"),
     "limit_settlement": ("Sinking into the floor", "床の沈み込み"),
-    "settlement_of_solids": (
-        "Left out for round pieces and meshes: on carpet and tatami they fall more easily than is told.",
-        "丸い物やメッシュの物体では考慮しません。カーペットや畳の上では、示した値より倒れやすくなります。",
-    ),
-    "settlement_of_stacks": (
-        "A piece that carries others sinks in as if it stood alone: on carpet and tatami the stack falls more easily than is told.",
-        "上に物が載っている家具も、単独で置いたときと同じだけ沈むものとします。カーペットや畳の上では、示した値より倒れやすくなります。",
-    ),
+    "settlement_of_solids": (("Left out for round pieces and meshes: on carpet and tatami they fall more "
+                              "easily than is told."),
+                             ("丸い物やメッシュの物体では考慮しません。カーペットや畳の上では、"
+                              "示した値より倒れやすくなります。")),
+    "settlement_of_stacks": (("A piece that carries others sinks in as if it stood alone: on carpet and "
+                              "tatami the stack falls more easily than is told."),
+                             ("上に物が載っている家具も、単独で置いたときと同じだけ沈むものとします。"
+                              "カーペットや畳の上では、示した値より倒れやすくなります。")),
     "limit_body": ("Rigid bodies in space", "三次元の剛体"),
-    "limit_body_text": (
-        (
-            "Each runs alone, under all components of the motions, until it meets another, and then together with that. "
-            "The pieces do not bend, and what is inside them does not move."
-        ),
-        (
-            "地震動のすべての成分を使い、家具どうしがぶつかるまでは1つずつ、ぶつかる場合は一緒に計算します。家具の変形と、中身の動きは"
-            "考慮しません。"
-        ),
-    ),
+    "limit_body_text": (("Each runs alone, under all components of the motions, until it meets another, "
+                         "and then together with that. The pieces do not bend, and what is inside them "
+                         "does not move."),
+                        ("地震動のすべての成分を使い、家具どうしがぶつかるまでは1つずつ、"
+                         "ぶつかる場合は一緒に計算します。家具の変形と、中身の動きは考慮しません。")),
 }
 """Texts by their keys: English, Japanese."""

@@ -6,10 +6,10 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, list_of, within, word_of
+from stayput.errors import InputError, instance_of, list_of, within
 from stayput.measures.place import with_mass
 from stayput.model.body import MASS_RANGE, SIZE_RANGE
-from stayput.model.parameters import check_fields, other_default, parameter, parameter_of, quantity
+from stayput.model.parameters import check_fields, choice, other_default, parameter, parameter_of, quantity
 from stayput.model.room import FRICTION_RANGE
 from stayput.vocabulary import preset_meant
 
@@ -113,10 +113,11 @@ class Contents:
         Inclination of the shelves [rad], + where the front edge is the higher one.
     back : bool
         Whether there is a board or a wall behind the items; without, they stand in the middle.
-    doors : str
-        One of `DOORS`.
-    drawers : str
-        One of `DRAWERS`; the items are then drawers, one on each shelf, with what is in them.
+    doors : str, one of `DOORS`
+        What is in front of the shelves.
+    drawers : str, one of `DRAWERS`
+        Which drawers the contents are in, if any: the items are then drawers, one on each shelf, with what is
+        in them.
     catch : float, optional
         Force at which the catch of a door's leaf or of a drawer lets go [N]; default `CATCHES`.
     door_mass : float
@@ -154,8 +155,8 @@ class Contents:
     lip: float = parameter(0.0, "m", 0.0, 10.0, ("lip height", "棚の縁の高さ"))
     slope: float = parameter(0.0, "rad", -0.5, 0.5, ("slope of the shelves", "棚の傾き"))
     back: bool = True
-    doors: str = "none"
-    drawers: str = "none"
+    doors: str = choice(DOORS[0], DOORS, phrase("contents.doors"))
+    drawers: str = choice(DRAWERS[0], DRAWERS, phrase("contents.drawers"))
     catch: float | None = parameter(None, "N", 0.0, 1e6, ("holding force of the catch", "留め具の保持力"))
     door_mass: float = parameter(5.0, "kg", 0.0, 1e3, ("mass of the doors", "扉の質量"))
     leaf: float = parameter(0.45, "m", 0.01, 10.0, ("width of a sliding leaf", "引き戸1枚の幅"))
@@ -165,8 +166,6 @@ class Contents:
     def __post_init__(self) -> None:
         kind = preset_meant("contents", "contents.kind", self.kind, CONTENTS, "kind")
         object.__setattr__(self, "kind", kind)
-        word_of("contents.doors", self.doors, DOORS, "doors")
-        word_of("contents.drawers", self.drawers, DRAWERS, "drawers")
         instance_of("back", self.back, bool)
         check_fields(self, but=("loads",))
         for name in ("shelves", "items"):  # 4.0 counts, too

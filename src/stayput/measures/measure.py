@@ -9,7 +9,7 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from enum import StrEnum
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from stayput.catalogue import TEXTS, Phrase, is_phrase, phrase
 from stayput.errors import InputError, instance_of, list_of, no_length
 from stayput.mechanics.devices.columns import ELEMENT
 from stayput.model.body import Body
-from stayput.model.parameters import GIVEN, check_fields, parameter, parameter_of
+from stayput.model.parameters import GIVEN, check_fields, parameter_of
 from stayput.model.room import Room, Wall
 from stayput.uncertainty import Confidence
 
@@ -55,13 +55,6 @@ MEANINGS: Mapping[Grade, tuple[str, str]] = MappingProxyType(
     }
 )
 """What each grade means, in English and Japanese."""
-
-
-def choice(
-    default: str, choices: tuple[str, ...], label: Phrase, confidence: Confidence = Confidence.LOW
-) -> Any:
-    """Return the field of a measure for one of several words."""
-    return parameter(default, "", 0.0, 0.0, label, confidence=confidence, choices=choices)
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,8 +9,8 @@ from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, within
 from stayput.measures.element import Element, Line, at_rest
 from stayput.measures.fixing import CEILING_LINKS, POLE, TOP_BOARDS, Link, in_series
-from stayput.measures.measure import BadlyInstalled, Held, Measure, choice
-from stayput.model.parameters import parameter
+from stayput.measures.measure import BadlyInstalled, Held, Measure
+from stayput.model.parameters import choice, parameter
 from stayput.model.room import FRICTION_RANGE, Ceiling, Room
 
 if TYPE_CHECKING:

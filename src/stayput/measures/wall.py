@@ -25,8 +25,8 @@ from stayput.measures.fixing import (
     in_series,
     panel,
 )
-from stayput.measures.measure import BadlyInstalled, Held, Measure, choice, wall_behind
-from stayput.model.parameters import other_default, parameter
+from stayput.measures.measure import BadlyInstalled, Held, Measure, wall_behind
+from stayput.model.parameters import choice, other_default, parameter
 
 if TYPE_CHECKING:
     from stayput.measures.fixing import Link

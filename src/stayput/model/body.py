@@ -14,6 +14,7 @@ from stayput.model.parameters import (
     SIZE_RANGE,
     STANDARD_GRAVITY,
     check_fields,
+    choice,
     parameter,
     parameter_of,
     quantity,
@@ -138,7 +139,7 @@ class Body(Shapes, Brief):
         (0.0, 0.0), *_OFFSET, ("Body base inset", "底の角の内側への距離")
     )
     length: float | None = parameter(None, *_SIZE, ("Body length", "家具の幅（length）"))
-    base: str = parameter(BASES[0], "", 0.0, 0.0, ("Base", "底面"), choices=BASES)
+    base: str = choice(BASES[0], BASES, ("Base", "底面"))
     shape: Solid | None = None
 
     def __post_init__(self) -> None:
@@ -246,15 +247,11 @@ class Body(Shapes, Brief):
         (u_a, v_a), (u_b, v_b), _, _ = self.corners
         return math.atan2(v_b - v_a, u_b - u_a)
 
-    def as_it_rests(self, u: float, v: float) -> tuple[float, float]:
-        """Return where a point (u, v) from G in the body's axes lies from G at rest, right and up [m]."""
-        cos, sin = math.cos(self.resting_tilt), math.sin(self.resting_tilt)
-        return u * cos + v * sin, v * cos - u * sin
-
     @property
     def corners_at_rest(self) -> tuple[tuple[float, float], ...]:
         """The corners A, B, C, D from G when it rests, right and up [m]; a tilt turns them from there."""
-        return tuple(self.as_it_rests(u, v) for u, v in self.corners)
+        cos, sin = math.cos(self.resting_tilt), math.sin(self.resting_tilt)
+        return tuple((u * cos + v * sin, v * cos - u * sin) for u, v in self.corners)
 
     @property
     def slenderness(self) -> tuple[float, float]:
@@ -390,7 +387,7 @@ class Preset:
     length: float = field(metadata=quantity("m", *SIZE_RANGE, ("length (across)", "幅")))
     mass: float = field(metadata=quantity("kg", *MASS_RANGE, ("mass", "質量")))
     carcass_mass: float | None = parameter(None, "kg", *MASS_RANGE, ("empty carcass", "空の本体の質量"))
-    base: str = parameter(BASES[0], "", 0.0, 0.0, ("base", "底面"), choices=BASES)
+    base: str = choice(BASES[0], BASES, ("base", "底面"))
     base_confidence: Confidence = Confidence.MEDIUM
 
 

@@ -24,8 +24,8 @@ from stayput.errors import (
     within,
     word_of,
 )
-from stayput.model.parameters import check_fields, parameter, quantity
-from stayput.model.room import WALLS, WALLS_AROUND, made_of
+from stayput.model.parameters import check_fields, choice, parameter, quantity
+from stayput.model.room import WALLS, WALLS_AROUND
 from stayput.wording import name_quoted
 
 if TYPE_CHECKING:
@@ -83,6 +83,7 @@ PLACES: dict[str, PlacePreset] = {
 PLACE_NAMES: dict[str, Phrase] = {kind: phrase(f"rooms.{kind}") for kind in PLACES}
 """What places by kind are called."""
 
+_WALL = quantity("", 0.0, 0.0, phrase("rooms.wall"), choices=WALLS_AROUND)
 _ALONG = quantity("m", 0.0, ROOM_SIZE[1], ("start", "始まり"))
 _OPENING = quantity("m", 0.1, 20.0, ("width", "幅"))
 
@@ -93,16 +94,16 @@ class Door:
 
     Parameters
     ----------
-    wall : str
-        Its wall, as a field of `stayput.Room`.
+    wall : str, a field of `stayput.Room`
+        The wall that it is in.
     start : float
         Where it begins along the wall, from the corner at the lower x or y [m].
     width : float
         Clear width [m].
-    hinge : str
-        At which end its hinge is, of `HINGES`.
-    opens : str
-        Of `OPENS`.
+    hinge : str, one of `HINGES`
+        At which end of it, along the wall, the hinge is.
+    opens : str, one of `OPENS`
+        How it opens.
     way_out : bool
         Whether it leads out.
     name : str
@@ -123,18 +124,15 @@ class Door:
     The opening ends at 3 m along its wall; it must be at most 2.7 m, where the wall ends.
     """
 
-    wall: str
+    wall: str = field(metadata=_WALL)
     start: float = field(metadata=_ALONG)
     width: float = field(metadata=_OPENING)
-    hinge: str = "start"
-    opens: str = "inwards"
+    hinge: str = choice(HINGES[0], HINGES, phrase("rooms.hinge"))
+    opens: str = choice(OPENS[0], OPENS, phrase("rooms.opens"))
     way_out: bool = True
     name: str = "door"
 
     def __post_init__(self) -> None:
-        word_of("rooms.wall", self.wall, WALLS_AROUND, "wall")
-        word_of("rooms.hinge", self.hinge, HINGES, "hinge")
-        word_of("rooms.opens", self.opens, OPENS, "opens")
         instance_of("way_out", self.way_out, bool)
         name_of("name", self.name)
         check_fields(self)
@@ -146,8 +144,8 @@ class Window:
 
     Parameters
     ----------
-    wall : str
-        Its wall, as a field of `stayput.Room`.
+    wall : str, a field of `stayput.Room`
+        The wall that it is in.
     start : float
         Where it begins along the wall, from the corner at the lower x or y [m].
     width : float
@@ -167,13 +165,12 @@ class Window:
     0.8
     """
 
-    wall: str
+    wall: str = field(metadata=_WALL)
     start: float = field(metadata=_ALONG)
     width: float = field(metadata=_OPENING)
     sill: float = parameter(0.8, "m", 0.0, 10.0, ("sill", "窓の下端の高さ"))
 
     def __post_init__(self) -> None:
-        word_of("rooms.wall", self.wall, WALLS_AROUND, "wall")
         check_fields(self)
 
 
@@ -299,7 +296,7 @@ class FloorPlan:
     doors: Sequence[Door] = ()
     windows: Sequence[Window] = ()
     places: Sequence[PersonPlace] = ()
-    walls: str = made_of(WALLS, ("Wall construction", "壁の下地"))
+    walls: str = choice(WALLS[0], WALLS, ("Wall construction", "壁の下地"))
 
     def __post_init__(self) -> None:
         for name, kind in (("doors", Door), ("windows", Window), ("places", PersonPlace)):

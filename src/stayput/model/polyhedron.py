@@ -25,10 +25,6 @@ FLATTEST = 1e-9
 """Smallest volume of a body, as a part of the cube of its size."""
 
 
-LEAST_FILLED = 0.999
-"""Smallest part of its convex hull that a shape must fill to be taken for it."""
-
-
 class Hull(NamedTuple):
     """A convex polyhedron.
 
@@ -159,26 +155,6 @@ def _box_like(points: NDArray[np.float64], size: float) -> Hull | None:
     if np.all(np.where(on_face, np.abs(beyond) <= TOLERANCE * size, beyond < -10.0 * TOLERANCE * size)):
         return Hull(points, tuple(loops), planes)
     return None
-
-
-def check_filled(volume: float, hull_volume: float, field: str) -> None:
-    """Refuse a shape that does not fill its convex hull.
-
-    Parameters
-    ----------
-    volume, hull_volume : float
-        Volumes, or areas, of the shape and of its hull.
-    field : str
-        The input that it is.
-
-    Raises
-    ------
-    InputError
-        It does not.
-    """
-    share = volume / hull_volume
-    if share < LEAST_FILLED:
-        raise InputError("solids.not_convex", field, share=share, least=LEAST_FILLED)
 
 
 def triangulated(faces: tuple[NDArray[np.int64], ...]) -> NDArray[np.int64]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import not_allowed, shown, within, word_of
-from stayput.model.parameters import check_fields, parameter, quantity
+from stayput.model.parameters import check_fields, choice, parameter, quantity
 from stayput.uncertainty import Confidence
 from stayput.vocabulary import preset_meant
 from stayput.wording import Brief, brief, check_language
@@ -230,11 +230,6 @@ CEILINGS = ("joist", "plasterboard", "dropped", "concrete")
 """What a pole may push against: plasterboard is that between the joists, a dropped ceiling hangs on wires."""
 
 
-def made_of(choices: tuple[str, ...], label: Phrase) -> Any:
-    """Return the field of what a surface is made of."""
-    return parameter(choices[0], "", 0.0, 0.0, label, choices=choices)
-
-
 @dataclass(frozen=True, slots=True, repr=False)
 class Wall(Brief):
     """A rigid wall beside the body.
@@ -263,7 +258,7 @@ class Wall(Brief):
     gap: float = field(metadata=quantity("m", 0.0, 1e4, ("Wall gap", "壁とのすき間")))
     restitution: float = _restitution(0.3, ("Wall restitution", "壁の反発係数"))
     friction: float = parameter(0.3, "", *FRICTION_RANGE, ("Wall friction", "壁の摩擦係数"))
-    construction: str = made_of(WALLS, ("Wall construction", "壁の下地"))
+    construction: str = choice(WALLS[0], WALLS, ("Wall construction", "壁の下地"))
 
     def __post_init__(self) -> None:
         check_fields(self)
@@ -298,7 +293,7 @@ class Ceiling(Brief):
     height: float = field(metadata=quantity("m", 1e-3, 1e4, ("Ceiling height", "天井の高さ")))
     restitution: float = _restitution(0.3, ("Ceiling restitution", "天井の反発係数"))
     friction: float = parameter(0.3, "", *FRICTION_RANGE, ("Ceiling friction", "天井の摩擦係数"))
-    construction: str = made_of(CEILINGS, ("Ceiling construction", "天井の下地"))
+    construction: str = choice(CEILINGS[0], CEILINGS, ("Ceiling construction", "天井の下地"))
 
     def __post_init__(self) -> None:
         check_fields(self)

@@ -15,7 +15,6 @@ from stayput.errors import InputError, absent, instance_of, not_allowed, reason_
 from stayput.model.parameters import MASS_RANGE, SIZE_RANGE
 from stayput.model.polyhedron import (
     TOLERANCE,
-    check_filled,
     check_size,
     convex_hull,
     enclosed_volume,
@@ -167,6 +166,9 @@ MOST_BYTES = 200_000_000
 SAME_PLACE = 1e-8
 """Corners as near as this, as a part of the mesh's size, are at the same place."""
 
+LEAST_FILLED = 0.999
+"""Smallest part of its convex hull that a mesh must fill to be taken for it."""
+
 _USUAL_SIZE = (0.05, 10.0)
 
 
@@ -202,7 +204,9 @@ def read_convex_mesh(file: str | Path, unit: str, up: str) -> Hull:
     volume = enclosed_volume(points, triangles)
     if volume <= 0.0:
         raise InputError("solids.mesh_inside_out", "file")
-    check_filled(volume, enclosed_volume(hull.vertices, triangulated(hull.faces)), "file")
+    share = volume / enclosed_volume(hull.vertices, triangulated(hull.faces))
+    if share < LEAST_FILLED:
+        raise InputError("solids.not_convex", "file", share=share, least=LEAST_FILLED)
     return hull
 
 

@@ -62,13 +62,12 @@ def standing_corners(
     """Places in the room of points from G, by default the corners A, B, C, D, as the body stands [m]."""
     tilt = body.resting_tilt + start.tilt
     sin, cos = math.sin(tilt), math.cos(tilt)
-    (u_a, v_a), (u_b, v_b), _, _ = body.corners
-    feet = [(u * cos + v * sin, v * cos - u * sin) for u, v in ((u_a, v_a), (u_b, v_b))]
-    half = 0.5 * math.hypot(u_b - u_a, v_b - v_a)
-    right = start.tilt > 0.0 or (start.tilt == 0.0 and start.tilt_rate > 0.0)
-    foot = 1 if right else 0
-    x = start.slide + (half if right else -half) - feet[foot][0]
-    z = -feet[foot][1]
+    left, right, _, _ = body.corners
+    half = 0.5 * math.dist(left, right)
+    turns_right = start.tilt > 0.0 or (start.tilt == 0.0 and start.tilt_rate > 0.0)
+    u, v = right if turns_right else left
+    x = start.slide + (half if turns_right else -half) - (u * cos + v * sin)
+    z = -(v * cos - u * sin)
     return tuple((x + (u * cos + v * sin), z + (v * cos - u * sin)) for u, v in points or body.corners)
 
 

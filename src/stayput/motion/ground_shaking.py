@@ -28,7 +28,7 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, excerpt
-from stayput.model.parameters import arguments, check_fields, parameter, quantity
+from stayput.model.parameters import arguments, check_fields, choice, parameter, quantity
 from stayput.motion.floors import of_the_ground
 from stayput.motion.intensity import factor_to_intensity, mercalli, pgv_of_mercalli
 from stayput.motion.processing import LARGEST_ACCELERATION
@@ -80,9 +80,7 @@ class EarthquakeSource:
     magnitude: float = field(metadata=quantity("", 5.8, 8.3, ("Magnitude", "マグニチュード")))
     distance: float = field(metadata=quantity("km", 3.0, 300.0, ("Distance", "断層からの距離")))
     depth: float = parameter(10.0, "km", 0.0, 120.0, ("Depth", "震源の深さ"))
-    kind: str = parameter(
-        "crustal", "", 0.0, 0.0, ("Kind of earthquake", "地震の種類"), choices=tuple(EARTHQUAKE_TERMS)
-    )
+    kind: str = choice("crustal", EARTHQUAKE_TERMS, ("Kind of earthquake", "地震の種類"))
     vs30: float = parameter(300.0, "m/s", 100.0, 1500.0, ("Ground", "地盤の平均S波速度"))
 
     def __post_init__(self) -> None:

@@ -6,7 +6,8 @@ What a field of a table has in common with the field of the value that the table
 
 from __future__ import annotations
 
-from dataclasses import MISSING
+from dataclasses import MISSING, replace
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar, cast
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, create_model
@@ -17,7 +18,7 @@ from stayput.model.parameters import parameter_of, parameters
 from stayput.vocabulary import meant
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Iterator
+    from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 
     from stayput.model.parameters import Parameter
 
@@ -36,6 +37,18 @@ class Table(BaseModel):
         """Return whether a field was said, and is not what it is by default."""
         default = type(self).model_fields[name].get_default(call_default_factory=True)
         return name in self.model_fields_set and getattr(self, name) != default
+
+    def refuse_single(self, table: str, *pair: str) -> None:
+        """Refuse one of two keys without the other."""
+        for key, other in (pair, pair[::-1]):
+            if getattr(self, key) is not None and getattr(self, other) is None:
+                raise InputError("scenario.needs_both", f"{table}.{key}", other=f"{table}.{other}")
+
+    def refuse_several(self, table: str, names: Iterable[str]) -> None:
+        """Refuse the second of some keys, of which only one may be given."""
+        stated = [f"{table}.{name}" for name in names if getattr(self, name) is not None]
+        if len(stated) > 1:
+            raise InputError("scenario.only_one", stated[1], other=stated[0])
 
     def __repr_args__(self) -> Iterator[tuple[str | None, Any]]:
         """Yield what was said, and nothing that was left to its default."""
@@ -86,7 +99,12 @@ def of(kind: Any, name: str, **changed: Any) -> Any:
 
 
 def fields_of(
-    kind: Any, *, but: Collection[str] = (), optional: Collection[str] = (), **meanings: str
+    kind: Any,
+    *,
+    but: Collection[str] = (),
+    optional: Collection[str] = (),
+    defaults: Mapping[str, float] = MappingProxyType({}),
+    **meanings: str,
 ) -> Callable[[type[AnyTable]], type[AnyTable]]:
     """Return a decorator that gives a table, after its own fields, those of the value that it makes.
 
@@ -98,16 +116,20 @@ def fields_of(
         Fields and arguments that a file does not say.
     optional : collection of str
         Those that a file may leave out: the table knows what they are then.
+    defaults : mapping of str to float
+        Those of the file alone.
     **meanings
         What a file says of a field in other words.
     """
 
     def with_fields(table: type[AnyTable]) -> type[AnyTable]:
-        fields: dict[str, Any] = {
-            about.name: typed_field(about, meanings.get(about.name), optional=about.name in optional)
-            for about in parameters(kind)
-            if about.name not in (*but, *table.model_fields)
-        }
+        fields: dict[str, Any] = {}
+        for about in parameters(kind):
+            if about.name not in (*but, *table.model_fields):
+                here = replace(about, default=defaults.get(about.name, about.default))
+                fields[about.name] = typed_field(
+                    here, meanings.get(here.name), optional=here.name in optional
+                )
         return create_model(
             table.__name__, __base__=table, __doc__=table.__doc__, __module__=table.__module__, **fields
         )
@@ -118,7 +140,7 @@ def fields_of(
 def typed_field(about: Parameter, meaning: str | None = None, *, optional: bool = False) -> tuple[Any, Any]:
     """Return the type and the field of a table for a field of a value: of a number, a word or a pair."""
     pair = isinstance(about.default, tuple)
-    default = None if optional or pair else about.default
+    default = None if optional or pair else ... if about.default is MISSING else about.default
     changed: dict[str, Any] = {"default": default, "description": meaning or about.meaning}
     kind: Any = int if about.whole else float
     field = _field(about, **changed)
@@ -131,9 +153,8 @@ def typed_field(about: Parameter, meaning: str | None = None, *, optional: bool 
 
 
 def _field(about: Parameter, **changed: Any) -> Any:
-    options: dict[str, Any] = {"default": about.default, "description": about.meaning} | changed
-    if options["default"] is MISSING:
-        options["default"] = ...
+    default = ... if about.default is MISSING else about.default
+    options: dict[str, Any] = {"default": default, "description": about.meaning} | changed
     return between(about.low, about.high, about.unit, **options)
 
 

@@ -150,25 +150,25 @@ Installation = Annotated[
 """A word, or the share of all measures that is badly installed."""
 
 
-Samples = Annotated[int, between(1, 1_000_000)]
 DrawnQuantity = Annotated[str, one_of(USUAL), named(USUAL)]
 
 
 class UncertaintyTable(Table):
     """How much of what is not known is tried out."""
 
-    samples: Samples | None = Field(
+    samples: Annotated[int, between(1, 1_000_000)] | None = Field(
         default=None,
         description="Most samples of each option: by default 400 in the plane, 60 in space and of a room, "
         "20 of several pieces.",
     )
-    seed: Annotated[int, between(0, 2**53)] = Field(default=1, description="Seed of the draws.")
+    seed: int = between(0, 2**53, default=1, description="Seed of the draws.")
     precision: Annotated[float, between(0.001, 0.5)] | None = Field(
         default=None,
         description="Half-width of the 95 % interval of the probability of overturning that is enough.",
     )
-    as_stated: Annotated[list[DrawnQuantity], Field(min_length=0, max_length=len(USUAL))] = Field(
-        default_factory=list[DrawnQuantity],
+    as_stated: list[DrawnQuantity] = Field(
+        default=[],
+        max_length=len(USUAL),
         description="Quantities that were measured: they are as stated in every sample, and not drawn.",
     )
     installation: Installation = Field(

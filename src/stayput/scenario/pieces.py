@@ -90,9 +90,7 @@ class PieceTable(ValueTable):
     along: Annotated[float, between(0.0, 100.0, "m")] | None = Field(
         default=None, description="Where its middle is along that wall, from the lower x or y."
     )
-    gap: Annotated[float, between(0.0, 100.0, "m")] = Field(
-        default=BEHIND, description="Between its back and that wall."
-    )
+    gap: float = between(0.0, 100.0, "m", default=BEHIND, description="Between its back and that wall.")
     measures: MeasuresInPlace | None = Field(
         default=None,
         description="Measures that hold it, each a table with its type: those of a preset or a box.",
@@ -101,10 +99,7 @@ class PieceTable(ValueTable):
     @model_validator(mode="after")
     def _consistent(self) -> Self:
         self._check_shape()
-        if (self.mesh is None) != (self.unit is None):
-            name, other = "furniture.unit", "furniture.mesh"
-            name, other = (name, other) if self.mesh is None else (other, name)
-            raise InputError("scenario.needs_both", name, other=other)
+        self.refuse_single("furniture", "mesh", "unit")
         if self.measures is not None and not self.is_furniture:
             where = phrase("scenario.of_a_solid")
             raise InputError("common.left_out", "furniture.measures", where=where)
@@ -172,17 +167,8 @@ class PieceTable(ValueTable):
     def standing(self, body: Body, measures: tuple[Measure, ...]) -> Piece:
         """Make the piece of its body, with measures in place."""
         x, y, *up = self.at
-        return Piece(
-            body,
-            (x, y, up[0] if up else 0.0),
-            self.heading,
-            measures,
-            name=self.title,
-            on=self.on,
-            against=self.against,
-            along=self.along,
-            gap=self.gap,
-        )
+        stated = self.model_dump(include={"heading", "on", "against", "along", "gap"})
+        return Piece(body, (x, y, up[0] if up else 0.0), measures=measures, name=self.title, **stated)
 
 
 class JointTable(Table):
@@ -192,15 +178,15 @@ class JointTable(Table):
     second: Text = Field(description="The other piece.")
     at: PointOfRoom = Field(description="The point, in the room as the pieces stand.")
     to: PointOfRoom | None = Field(default=None, description="For a belt: its end on the other piece.")
-    stiffness: Annotated[float, between(1.0, 1e9, "N/m")] = Field(default=1e6, description="Stiffness.")
-    strength: Annotated[float, between(*STRENGTH_RANGE, "N")] | None = Field(
-        default=None, description="Pull that it bears; without it any."
+    stiffness: float = between(1.0, 1e9, "N/m", default=1e6, description="Stiffness.")
+    strength: float | None = between(
+        *STRENGTH_RANGE, "N", default=None, description="Pull that it bears; without it any."
     )
-    shear: Annotated[float, between(*STRENGTH_RANGE, "N")] | None = Field(
-        default=None, description="Force across that it bears; without it any."
+    shear: float | None = between(
+        *STRENGTH_RANGE, "N", default=None, description="Force across that it bears; without it any."
     )
-    slack: Annotated[float, between(0.0, 10.0, "m")] = Field(default=0.0, description="Slack of a belt.")
-    damping: Annotated[float, between(0.0, 2.0)] = Field(default=0.1, description="Damping ratio.")
+    slack: float = between(0.0, 10.0, "m", default=0.0, description="Slack of a belt.")
+    damping: float = between(0.0, 2.0, default=0.1, description="Damping ratio.")
 
     def joint(self, names: Sequence[str]) -> Joint:
         """Make the joint of two of the pieces that are called so.

@@ -7,20 +7,10 @@ from typing import Annotated
 
 from pydantic import Field
 
-from stayput.model.floor_plan import (
-    HINGES,
-    OPENS,
-    PLACES,
-    Door,
-    FloorPlan,
-    PersonPlace,
-    Window,
-)
-from stayput.model.room import WALLS_AROUND
-from stayput.scenario.fields import Table, Text, ValueTable, fields_of, named, of, one_of
+from stayput.model.floor_plan import PLACES, Door, FloorPlan, PersonPlace, Window
+from stayput.scenario.fields import Text, ValueTable, fields_of, named, one_of
 from stayput.scenario.pieces import Coordinate
 
-WallName = Annotated[str, one_of(WALLS_AROUND), named(WALLS_AROUND)]
 PointInPlan = Annotated[list[Coordinate], Field(min_length=2, max_length=2)]
 
 
@@ -29,27 +19,17 @@ class PlanTable(ValueTable):
     """The size of a room, which goes from the left wall to the right one and from the near to the far one."""
 
 
-class DoorTable(Table):
+@fields_of(Door, defaults={"width": 0.8})
+class DoorTable(ValueTable):
     """A door."""
 
     name: Text = Field(default="door", description="What it is called.")
-    wall: WallName = Field(description="The wall that it is in.")
-    start: float = of(Door, "start")
-    width: float = of(Door, "width", default=0.8)
-    hinge: Annotated[str, one_of(HINGES), named(HINGES)] = Field(
-        default="start", description="At which end of it, along the wall, the hinge is."
-    )
-    opens: Annotated[str, one_of(OPENS), named(OPENS)] = Field(default="inwards", description="How it opens.")
     way_out: bool = Field(default=True, description="Whether it leads out.")
 
 
-class WindowTable(Table):
+@fields_of(Window, defaults={"width": 1.6})
+class WindowTable(ValueTable):
     """A window: nothing that is higher than its sill is moved in front of it."""
-
-    wall: WallName = Field(description="The wall that it is in.")
-    start: float = of(Window, "start")
-    width: float = of(Window, "width", default=1.6)
-    sill: float = of(Window, "sill")
 
 
 @fields_of(PersonPlace, optional=("width", "length", "low", "high", "day", "night"))

@@ -112,6 +112,7 @@ class Scenario(SceneTables):
             self._check_lone_piece()
         else:
             self._check_pieces()
+        _refuse_same_names(self.options, "measures" if self.alone else "options")
         return self
 
     def _check_lone_piece(self) -> None:
@@ -123,15 +124,12 @@ class Scenario(SceneTables):
             raise no_length("furniture.length")
         if self.contents is not None:
             emptied(self.piece.body(), self.contents)
-        _refuse_same_names(self.options)
 
     def _check_pieces(self) -> None:
         if self.stated_dimensions == 2:
             raise not_allowed("dimensions", "2", "scenario.pieces_in_the_plane", "dimensions")
-        names, options = self.names, self.option_tables or []
-        taken = {NOTHING: phrase("scenario.option_of_nothing")}
-        refuse_same_names("options", [option.name for option in options], taken)
-        for number, option in enumerate(options):
+        names = self.names
+        for number, option in enumerate(self.option_tables or []):
             key = f"options[{number}].measures"
             for piece in option.measures:
                 if not self.pieces[names.index(word_of(key, piece, names, key))].is_furniture:
@@ -354,9 +352,9 @@ class Scenario(SceneTables):
             return simulate(scene, motion, gravity=self.gravity)
 
 
-def _refuse_same_names(options: Sequence[Option]) -> None:
+def _refuse_same_names(options: Sequence[Option], key: str = "measures") -> None:
     taken = {NOTHING: phrase("scenario.option_of_nothing")}
-    refuse_same_names("measures", [option.name for option in options], taken)
+    refuse_same_names(key, [option.name for option in options], taken)
 
 
 def read_scenario(path: str | Path) -> Scenario:

@@ -1,22 +1,26 @@
-"""What stands where, as a file says it: its pieces, the room or the plan around them, and what they make."""
+"""What stands where, as a file says it and is read: pieces, the room or the plan around them, and a scene."""
 
 from __future__ import annotations
 
 from contextlib import contextmanager
 from dataclasses import replace
-from functools import partial
-from typing import TYPE_CHECKING, Annotated, Self
+from functools import cache, partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
-from pydantic import Discriminator, Field, Tag, model_validator
+import tomli_w
+from pydantic import Discriminator, Field, PrivateAttr, Tag, ValidationError, model_validator
+from pydantic.json_schema import DEFAULT_REF_TEMPLATE
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, no_length, refuse_same_names, within, word_of
 from stayput.measures import hold
 from stayput.model.floor_plan import MOST_PLACES, Door, FloorPlan, Window
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import WALLS_AROUND, Room
-from stayput.scenario.fields import TABLE, between, checked
+from stayput.scenario.fields import TABLE, Table, Text, between, checked
+from stayput.scenario.messages import refusal_of
 from stayput.scenario.option import AS_STATED, Option
-from stayput.scenario.origin import FromFile
 from stayput.scenario.pieces import JointTable, PieceTable, in_place
 from stayput.scenario.plan import (  # noqa: TC001 - pydantic reads the annotations
     DoorTable,
@@ -28,7 +32,7 @@ from stayput.scenario.tables import RoomTable
 from stayput.simulation.scene import MOST_BODIES, Scene, refuse_places
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Sequence
+    from collections.abc import Generator, Mapping, Sequence
     from contextlib import AbstractContextManager
 
     from stayput.simulation.piece import Piece
@@ -71,36 +75,98 @@ def _alone(piece: Piece, room: Room) -> tuple[list[Piece], Room]:
     return [replace(piece, heading=0.0, measures=measures)], hold(piece.body, room, around).room
 
 
-class SceneTables(FromFile):
+class SceneTables(Table):
     """What stands where: the part of a scenario that shaking, measures and draws do not change."""
 
+    title: Text | None = Field(default=None, description="What the scenario is about.")
     furniture: Furniture = Field(description="What stands: a table, or a list of them.")
-    joints: Annotated[list[JointTable], Field(min_length=0, max_length=10 * MOST_BODIES)] = Field(
-        default=[], description="What joins the pieces."
+    joints: list[JointTable] = Field(
+        default=[], max_length=10 * MOST_BODIES, description="What joins the pieces."
     )
-    static_friction: Annotated[float, between(0.0, 10.0)] = Field(
-        default=0.4, description="Static friction between the pieces."
+    static_friction: float = between(
+        0.0, 10.0, default=0.4, description="Static friction between the pieces."
     )
-    kinetic_friction: Annotated[float, between(0.0, 10.0)] = Field(
-        default=0.3, description="Kinetic friction between the pieces."
+    kinetic_friction: float = between(
+        0.0, 10.0, default=0.3, description="Kinetic friction between the pieces."
     )
     plan: PlanTable | None = Field(default=None, description="The size of the room.")
-    doors: Annotated[list[DoorTable], Field(min_length=0, max_length=MOST_PLACES)] = Field(
-        default=[], description="Its doors."
-    )
-    windows: Annotated[list[WindowTable], Field(min_length=0, max_length=MOST_PLACES)] = Field(
-        default=[], description="Its windows."
-    )
-    places: Annotated[list[PlaceTable], Field(min_length=0, max_length=MOST_PLACES)] = Field(
-        default=[], description="Where people are."
-    )
+    doors: list[DoorTable] = Field(default=[], max_length=MOST_PLACES, description="Its doors.")
+    windows: list[WindowTable] = Field(default=[], max_length=MOST_PLACES, description="Its windows.")
+    places: list[PlaceTable] = Field(default=[], max_length=MOST_PLACES, description="Where people are.")
     room: RoomTable = Field(
         default_factory=RoomTable,
         description="Floor, walls and ceiling; the gaps of walls are from the outermost of all pieces.",
     )
-    gravity: Annotated[float, between(0.1, 100.0, "m/s²")] = Field(
-        default=STANDARD_GRAVITY, description="Acceleration of gravity."
+    gravity: float = between(
+        0.1, 100.0, "m/s²", default=STANDARD_GRAVITY, description="Acceleration of gravity."
     )
+
+    _folder: Path = PrivateAttr(default=Path())
+    _file: str = PrivateAttr(default="")
+
+    @classmethod
+    def parse(cls, data: Mapping[str, Any], folder: Path = Path(), file: str = "") -> Self:
+        """Make a scenario from the keys and values of its file.
+
+        Parameters
+        ----------
+        data : mapping
+            As a TOML reader returns it.
+        folder : Path
+            Where the relative path of a record begins.
+        file : str
+            The file's name, for what is refused later: a record that cannot be read.
+
+        Raises
+        ------
+        InputError
+            The first thing that is wrong: the key's dotted name, its value, and what is allowed.
+        """
+        try:
+            scenario = cls.model_validate(dict(data))
+        except ValidationError as error:
+            raise refusal_of(error.errors(), _schema(cls)) from None
+        scenario._folder, scenario._file = folder, file
+        return scenario
+
+    @classmethod
+    def schema(cls, by_alias: bool = True, ref_template: str = DEFAULT_REF_TEMPLATE) -> dict[str, Any]:
+        """Return the JSON Schema of a scenario file, for editors and other programs."""
+        return cls.model_json_schema(by_alias=by_alias, ref_template=ref_template)
+
+    def stated_keys(self) -> dict[str, Any]:
+        """Return the keys and values of its file: what was said, and nothing that was left to its default."""
+        return self.model_dump(mode="json", exclude_unset=True, exclude_none=True, by_alias=True)
+
+    def to_toml(self) -> str:
+        """Return the scenario as a file's text: what was said, and nothing that was left to its default.
+
+        `Scenario.parse` reads it back as the same scenario.
+
+        Examples
+        --------
+        >>> from stayput import Scenario
+        >>> print(Scenario.parse({"furniture": {"preset": "chest"}}).to_toml(), end="")
+        [furniture]
+        preset = "chest"
+        """
+        return tomli_w.dumps(self.stated_keys())
+
+    @property
+    def folder(self) -> Path:
+        """Where the relative path of a record or a mesh begins."""
+        return self._folder
+
+    @contextmanager
+    def naming_file(self, table: str = "") -> Generator[None]:
+        """Refuse what is wrong with the file's name, once, and with that of a table of the file."""
+        try:
+            yield
+        except InputError as error:
+            if not self._file or error.context[:1] == ((self._file, self._file),):
+                raise
+            in_table = error.at(phrase("scenario.in_table", table=table)) if table else error
+            raise in_table.at(self._file) from None
 
     @model_validator(mode="after")
     def _named_apart(self) -> Self:
@@ -228,3 +294,9 @@ class SceneTables(FromFile):
                 checked(f"joints[{number}]", partial(table.joint, self.names))
                 for number, table in enumerate(self.joints)
             ]
+
+
+@cache
+def _schema(kind: type[SceneTables]) -> dict[str, Any]:
+    """Return the JSON Schema that sentences about errors are made from; it takes its time."""
+    return kind.schema()

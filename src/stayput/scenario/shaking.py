@@ -165,9 +165,7 @@ class ShakingTable(Table):
         default=None,
         description="Which motion of a suite `simulate` takes; 1 where it is not said.",
     )
-    scale: Annotated[float, between(-1e3, 1e3)] | None = Field(
-        default=None, description="Factor on the whole motion."
-    )
+    scale: float | None = between(-1e3, 1e3, default=None, description="Factor on the whole motion.")
     intensity: Intensity | None = Field(
         default=None,
         description="JMA intensity of the ground that every motion is scaled to; a class is its middle. "
@@ -200,10 +198,7 @@ class ShakingTable(Table):
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
-        sources = [key for key in SOURCES if getattr(self, key) is not None]
-        if len(sources) > 1:
-            first, second = (f"shaking.{key}" for key in sources[:2])
-            raise InputError("scenario.only_one", second, other=first)
+        self.refuse_several("shaking", SOURCES)
         if self.record is None:
             without = phrase("scenario.without_record")
             of_folders = () if isinstance(self.suite, str) else ("component", "unit", *sorted(OPTIONS))
@@ -214,21 +209,14 @@ class ShakingTable(Table):
                 name, value = "shaking.vertical", repr(self.vertical)
                 raise not_allowed(name, value, "scenario.vertical_without_record", name)
         chosen_columns(self.columns, "shaking.columns")
-        strengths = [f"shaking.{key}" for key in STRENGTHS if getattr(self, key) is not None]
-        if len(strengths) > 1:
-            raise InputError("scenario.only_one", strengths[1], name=strengths[1], other=strengths[0])
-        if self.scale is not None and strengths:
-            raise InputError("scenario.only_one", "shaking.scale", other=strengths[0])
+        self.refuse_several("shaking", (*STRENGTHS, "scale"))
         if self.member is not None and not self.of_a_suite:
             raise InputError("common.left_out", "shaking.member", where=phrase("scenario.member_of_one"))
         self._check_building()
         return self
 
     def _check_building(self) -> None:
-        if (self.building is None) != (self.storey is None):
-            stated, missing = ("storey", "building") if self.building is None else ("building", "storey")
-            name, other = f"shaking.{stated}", f"shaking.{missing}"
-            raise InputError("scenario.needs_both", name, other=other)
+        self.refuse_single("shaking", "building", "storey")
         if self.building is not None and self.storey is not None and self.storey > self.building.highest():
             allowed = phrase("scenario.roof", roof=self.building.highest())
             raise not_allowed("shaking.storey", str(self.storey), allowed, "shaking.storey")

@@ -11,7 +11,7 @@ from pydantic import Discriminator, Field, ModelWrapValidatorHandler, PrivateAtt
 from stayput.building.building import STRUCTURES, Building
 from stayput.building.model import MOST_STOREYS, ShearModel
 from stayput.catalogue import phrase
-from stayput.contents.contents import CONTENTS, DOORS, DRAWERS, Contents
+from stayput.contents.contents import CONTENTS, Contents
 from stayput.errors import InputError
 from stayput.everyday import CARPET, PRESET_DRAWERS, Everyday
 from stayput.model.body import FURNITURE, Part
@@ -68,12 +68,6 @@ class ContentsTable(ValueTable):
         default=None, description="Mass on each shelf from the lowest up; default the furniture's shelves."
     )
     back: bool = Field(default=True, description="Whether a board or a wall is behind the items.")
-    doors: Annotated[str, one_of(DOORS), named(DOORS)] = Field(
-        default="none", description="What is in front of the shelves."
-    )
-    drawers: Annotated[str, one_of(DRAWERS), named(DRAWERS)] = Field(
-        default="none", description="Which drawers the contents are in, if any."
-    )
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
@@ -120,10 +114,6 @@ class WallTable(ValueTable):
 class CeilingTable(ValueTable):
     """A ceiling above the body."""
 
-    def ceiling(self) -> Ceiling:
-        """Make the ceiling."""
-        return Ceiling(**self.model_dump())
-
 
 FloorChoice = Annotated[
     Annotated[Surface, Tag(NAME)] | Annotated[FloorTable, Tag(TABLE)], Discriminator(kind_of)
@@ -151,9 +141,10 @@ class RoomTable(Table):
 
     def room(self) -> Room:
         """Make the room."""
-        walls = {name: getattr(self, name) for name in WALLS_AROUND}
-        made = {name: Wall(**wall.model_dump()) for name, wall in walls.items() if wall is not None}
-        return Room(floor_of(self.floor), ceiling=self.ceiling and self.ceiling.ceiling(), **made)
+        kinds: dict[str, Any] = dict.fromkeys(WALLS_AROUND, Wall) | {"ceiling": Ceiling}
+        stated = {name: table for name in kinds if (table := getattr(self, name)) is not None}
+        around = {name: kinds[name](**table.model_dump()) for name, table in stated.items()}
+        return Room(floor_of(self.floor), **around)
 
 
 @fields_of(
@@ -241,10 +232,7 @@ class BuildingTable(ValueTable):
     @model_validator(mode="after")
     def _consistent(self) -> Self:
         in_detail = self.masses is not None or self.stiffnesses is not None
-        if in_detail and (self.masses is None or self.stiffnesses is None):
-            stated, missing = ("masses", "stiffnesses") if self.masses else ("stiffnesses", "masses")
-            name, other = f"shaking.building.{stated}", f"shaking.building.{missing}"
-            raise InputError("scenario.needs_both", name, other=other)
+        self.refuse_single("shaking.building", "masses", "stiffnesses")
         for key in REGULAR if in_detail else ():
             if key in self.model_fields_set and getattr(self, key) not in (None, False):
                 name = f"shaking.building.{key}"
