@@ -357,10 +357,7 @@ class Family(NamedTuple):
     limit: float
 
 
-SHELVES, DOMINOES = (
-    ((0.25, 0.45), (0.6, 1.2), (1.5, 2.2)),
-    ((0.007, 0.02), (0.02, 0.1), (0.04, 0.1)),
-)
+SHELVES, DOMINOES = (((0.25, 0.45), (0.6, 1.2), (1.5, 2.2)), ((0.007, 0.02), (0.02, 0.1), (0.04, 0.1)))
 FAMILIES = {
     "boxes": Family(20_000, single("box"), 2.0),
     "cylinders": Family(20_000, single("cylinder"), 2.0),

@@ -165,15 +165,7 @@ def quantities() -> str:
 def write(folder: Path) -> None:
     """Write every generated part into a folder."""
     folder.mkdir(parents=True, exist_ok=True)
-    for make in (
-        formats,
-        surfaces,
-        furniture,
-        scenario,
-        scenario_files,
-        tolerances,
-        quantities,
-    ):
+    for make in (formats, surfaces, furniture, scenario, scenario_files, tolerances, quantities):
         (folder / f"{make.__name__}.md").write_text(make(), encoding="utf-8")
     validation_run.write(folder)
     study_pages.write(folder)

@@ -85,13 +85,7 @@ def work_table() -> str:
         "cases/s on one core",
     ]
     rows = [
-        [
-            f"{step:g}",
-            f"{tolerance:.0e}",
-            *map(small, (half, most, worst)),
-            str(flips),
-            f"{rate:,.0f}",
-        ]
+        [f"{step:g}", f"{tolerance:.0e}", *map(small, (half, most, worst)), str(flips), f"{rate:,.0f}"]
         for step, tolerance, half, most, worst, flips, rate in convergence.work_precision()
     ]
     return markdown(heads, rows, "rrrrrrr")

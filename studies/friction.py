@@ -44,11 +44,7 @@ AMPLITUDES, FREQUENCIES = np.round(np.arange(4.0, 15.01, 0.2), 1), np.round(np.a
 PHASES = (0.0, 90.0)
 """Phases of the sines that are searched [°]."""
 
-MODELS = {
-    "held": "only slides",
-    "paper": "free, law of the paper",
-    "coulomb": "free, Coulomb law",
-}
+MODELS = {"held": "only slides", "paper": "free, law of the paper", "coulomb": "free, Coulomb law"}
 """The model that is kept from rocking, and those that may rock, by contact law."""
 
 WIDE = 20.0
@@ -180,9 +176,7 @@ def friction(
         quantities=_quantities(data, nearest),
         data=data,
         figure=_drawn(data, nearest),
-        tables={
-            "The nearest sine for each model, with its three slides [cm]": nearest_table(nearest),
-        },
+        tables={"The nearest sine for each model, with its three slides [cm]": nearest_table(nearest)},
     )
 
 

@@ -120,10 +120,7 @@ def outcomes(
         "shaking": {"intensity": intensity},
         "direction": math.radians(heading),
         "dimensions": 2 if engine == PLANE else 3,
-        "uncertainty": {
-            "samples": len(suite),
-            "as_stated": [name for name in USUAL if name != "friction"],
-        },
+        "uncertainty": {"samples": len(suite), "as_stated": [name for name in USUAL if name != "friction"]},
     }
     runs: list[Runs] = []
     for room, options in ROOMS:

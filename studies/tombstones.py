@@ -246,11 +246,7 @@ def _along(motion: Motion, component: str, vertical: bool) -> Motion:
 
 
 def tombstones(
-    motions: int = 32,
-    *,
-    stones: int = 24,
-    settings: Sequence[CemeterySetting] = SETTINGS,
-    seed: int = 1,
+    motions: int = 32, *, stones: int = 24, settings: Sequence[CemeterySetting] = SETTINGS, seed: int = 1
 ) -> Study:
     """Study which share of gravestones falls at each class of intensity, changing one assumption at a time.
 
@@ -311,7 +307,7 @@ def tombstones(
         figure=_figure(data),
         tables={
             "Share of the stones that fall [%]: mean over the places, and the tenth and ninth tenth of the "
-            "places in brackets": shares_table(data),
+            "places in brackets": shares_table(data)
         },
         claims=tuple(
             claim(

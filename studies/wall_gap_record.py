@@ -55,10 +55,7 @@ Variant = tuple[float, str]
 
 
 def wall_gap_record(
-    motion: Motion | None = None,
-    *,
-    widths: ArrayLike = tuple(TABLE_4_3),
-    gaps: ArrayLike = GAPS,
+    motion: Motion | None = None, *, widths: ArrayLike = tuple(TABLE_4_3), gaps: ArrayLike = GAPS
 ) -> Study:
     """Find the wall distances at which bodies of Table 4.2 turn over under a record, as in Table 4.3.
 

@@ -317,8 +317,7 @@ def test_a_room_in_which_nothing_does_harm_needs_nothing():
 
 
 @pytest.mark.parametrize(
-    ("flags", "told"),
-    [(["--tatami"], "give both"), (["--plan", "card.html"], "is given without a [plan]")],
+    ("flags", "told"), [(["--tatami"], "give both"), (["--plan", "card.html"], "is given without a [plan]")]
 )
 def test_the_command_line_refuses_a_plan_of_no_room(tmp_path: Path, flags: list[str], told: str):
     file = tmp_path / "piece.toml"
@@ -359,9 +358,7 @@ def test_what_works_in_the_runs_has_no_reserve_and_is_not_too_weak(
     weak = next(fix for fix in fixes(plan) if not fix.enough)
     chance, (step, *_) = weak.overturns, [one for one in plan.steps if one.fix]
     fix = replace(
-        weak,
-        gives_way=replace(chance, estimate=gives_way),
-        overturns=replace(chance, estimate=overturns),
+        weak, gives_way=replace(chance, estimate=gives_way), overturns=replace(chance, estimate=overturns)
     )
     said = not_strong_enough(fix, plan)
     values = {"fails": fix.gives_way.share, "share": fix.overturns.share}

@@ -91,7 +91,7 @@ def test_without_ffmpeg_an_mp4_is_refused_in_a_sentence(tmp_path: Path, monkeypa
                 ("a.gif", {"speed": math.nan}, "speed is nan"),
                 ("a.gif", {"width": 10}, "width is 10"),
             )
-        ),
+        )
     ],
 )
 def test_what_is_refused_leaves_nothing(

@@ -153,11 +153,7 @@ def test_a_scenario_on_standard_input_finds_its_records_in_the_working_folder(he
 
 
 @pytest.mark.parametrize(
-    "given",
-    [
-        {"PYTHONIOENCODING": "ascii"},
-        {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
-    ],
+    "given", [{"PYTHONIOENCODING": "ascii"}, {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}]
 )
 def test_letters_that_the_terminal_lacks_are_written_out(here: Path, given: dict[str, str]) -> None:
     command = [sys.executable, "-m", "stayput", "simulate", "scenario.toml", "--lang", "ja"]

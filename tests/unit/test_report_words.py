@@ -21,15 +21,9 @@ from stayput.simulation.outcome import EventKind, Outcome
     ("run", "said"),
     [
         (falling(), "“crate” overturned to the right 2.5 s into the motion after hitting the wall once."),
-        (
-            falling(-1.0),
-            "“crate” overturned to the left 2.5 s into the motion after hitting the wall once.",
-        ),
+        (falling(-1.0), "“crate” overturned to the left 2.5 s into the motion after hitting the wall once."),
         (rocking(), "“crate” rocked by up to 2.9° and slid by up to 2.0 cm, and stayed upright."),
-        (
-            changed(rocking(), outcome=Outcome.RESTED),
-            "“crate” stayed put: it neither slid nor rocked.",
-        ),
+        (changed(rocking(), outcome=Outcome.RESTED), "“crate” stayed put: it neither slid nor rocked."),
     ],
 )
 def test_the_sentence(run, said):

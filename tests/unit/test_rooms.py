@@ -227,9 +227,7 @@ def test_where_a_change_moves_something_it_is_as_if_it_stood_there(verdict: Verd
     assert people_in(again).hit.chance == of_people(option).hit.chance
 
 
-def test_the_verdict_is_told_as_it_gets_better_and_ends_the_same_for_any_number_of_threads(
-    verdict: Verdict,
-):
+def test_the_verdict_is_told_as_it_gets_better_and_ends_the_same_for_any_number_of_threads(verdict: Verdict):
     told: list[Verdict] = []
     last = sp.verify(changed(), progress=False, threads=3, on_verdict=told.append)
     assert [len(one.others) for one in told if one.others] == list(range(1, len(last.others) + 1))

@@ -68,13 +68,7 @@ def verdict(**how: Any) -> sp.Verdict:
         lambda: flat(scale=1e-3),  # without an event
         lambda: sp.simulate(BODY, ROOM, MOTION, [LBracket()], dimensions=3),
         lambda: sp.simulate(
-            sp.Scene(
-                [
-                    sp.Piece(BODY),
-                    sp.Piece(sp.Body.box(0.4, 0.4, 0.5, 20.0), at=(1.0, 0.0, 0.0)),
-                ]
-            ),
-            MOTION,
+            sp.Scene([sp.Piece(BODY), sp.Piece(sp.Body.box(0.4, 0.4, 0.5, 20.0), at=(1.0, 0.0, 0.0))]), MOTION
         ),
     ],
     ids=["bare", "held", "still", "in space", "several"],

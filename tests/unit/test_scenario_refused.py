@@ -60,10 +60,7 @@ def both_print(file: Path) -> str:
     [
         (piece(1, on="chest", at=[0.3, 0.0]), "furniture[1].at = [0.3, 0.0] must be a place on 'chest'"),
         (piece(0, mass=2e6), "furniture[0].mass is 2000000.0; it must be a number between 0.001 and 1e+06"),
-        (
-            piece(2, measures=[{"type": "belt"}]),
-            "furniture[2].measures is given for a piece that is neither",
-        ),
+        (piece(2, measures=[{"type": "belt"}]), "furniture[2].measures is given for a piece that is neither"),
         (piece(1, measures=[{"type": "glue"}]), "furniture[1].measures[0].type is 'glue'"),
         (piece(1, measures=[{"type": "belt"}, {"type": "belt"}]), "In [furniture[1]]: Belts is given twice"),
         (
@@ -86,10 +83,7 @@ def both_print(file: Path) -> str:
             {"options": [{"name": "x", "measures": {"chest": {"type": "belt"}}}]},
             "options[0].measures.chest is a table; it must be a list",
         ),
-        (
-            {"options": [{"name": "x", "measures": [{"type": "belt"}]}]},
-            "options[0].measures is",
-        ),
+        ({"options": [{"name": "x", "measures": [{"type": "belt"}]}]}, "options[0].measures is"),
         (
             {"furniture": [{"name": "stone", "mesh": "stone.stl", "unit": "furlong", "mass": 5.0}]},
             "In [furniture[0]]: The unit is 'furlong'; it must be one of",
@@ -196,11 +190,7 @@ def test_what_a_scene_has_no_use_for(given: dict[str, Any], changed: dict[str, A
 def test_one_reader_takes_every_file(tmp_path: Path) -> None:
     assert [
         sp.read_scenario(EXAMPLES / f"{name}.toml").alone for name in ("verify", "television", "bedroom")
-    ] == [
-        True,
-        False,
-        False,
-    ]
+    ] == [True, False, False]
     with pytest.raises(sp.InputError, match="furniture must here be one preset or box"):
         sp.read_scenario(EXAMPLES / "television.toml").case()
     drum = tmp_path / "drum.toml"

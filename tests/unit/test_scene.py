@@ -81,10 +81,7 @@ def test_a_scene_in_python_runs_as_its_file() -> None:
             "on is 'bookcase'; it must be the name of a piece given before",
         ),
         ({"pieces": [PIECES[0], replace(PIECES[1], at=(0.5, 0.0, 0.0))], "plan": PLAN}, "must be a place on"),
-        (
-            {"pieces": [sp.Piece(BOX, name="a"), sp.Piece(BOX, name="a")]},
-            "must not be that of pieces[0]",
-        ),
+        ({"pieces": [sp.Piece(BOX, name="a"), sp.Piece(BOX, name="a")]}, "must not be that of pieces[0]"),
         ({"pieces": PIECES, "plan": PLAN, "room": sp.Room(left_wall=sp.Wall(0.1))}, "beside plan"),
         ({"pieces": [sp.Piece(BOX, (9.0, 0.5, 0.0))], "plan": PLAN}, "pieces[0] reaches"),
         ({"pieces": [PIECES[0], sp.Piece(BOX, (1.5, 2.5, 0.0))], "plan": PLAN}, "“bookcase”"),

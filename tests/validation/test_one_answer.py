@@ -13,10 +13,7 @@ from stayput.montecarlo.counting import OVERTURNED
 from stayput.scenario.option import Option
 from stayput.verification.contest import Contest
 
-SHAKEN = {
-    "shaking": {"intensity": "6-upper", "suite": {"count": 4}},
-    "uncertainty": {"samples": 8},
-}
+SHAKEN = {"shaking": {"intensity": "6-upper", "suite": {"count": 4}}, "uncertainty": {"samples": 8}}
 SIZES = {"name": "bookcase", "width": 0.3, "height": 1.8, "mass": 200.0, "length": 0.9}
 AT_THE_WALL = {**SIZES, "against": "left_wall", "along": 5.0, "gap": 0.02}
 BEHIND = {"left_wall": {"gap": 0.02}}

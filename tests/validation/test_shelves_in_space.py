@@ -67,11 +67,7 @@ def test_a_point_of_a_body_that_turns_as_prescribed(axis, slope):
 @pytest.mark.parametrize("contents", FRONTS, ids=front)
 @pytest.mark.parametrize(
     ("body", "intensity", "outcome"),
-    [
-        (SQUAT, 6.1, "rested"),
-        (BOOKCASE, 6.2, "rocked"),
-        (BOOKCASE, 6.6, "overturned"),
-    ],
+    [(SQUAT, 6.1, "rested"), (BOOKCASE, 6.2, "rocked"), (BOOKCASE, 6.6, "overturned")],
 )
 def test_one_component_spills_in_space_what_it_does_in_the_plane(body, intensity, outcome, contents):
     room = replace(WALLED, floor=sp.Floor(0.9, 0.9)) if outcome == "rested" else WALLED

@@ -8,15 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stayput.catalogue import say
-from stayput.cli.flags import (
-    GROUND,
-    FlagValues,
-    LanguageOption,
-    numbers,
-    tables_of_motion,
-    takes,
-    words,
-)
+from stayput.cli.flags import GROUND, FlagValues, LanguageOption, numbers, tables_of_motion, takes, words
 from stayput.cli.messages import note
 from stayput.errors import InputError, not_allowed, unknown
 from stayput.files import folder_draft, name_part

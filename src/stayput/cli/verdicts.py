@@ -17,13 +17,7 @@ from stayput.montecarlo.counting import EVENTS, OVERTURNED
 from stayput.report.room.report import sentences, simulations_of_room, tables
 from stayput.report.verdict import numbers
 from stayput.report.verdict.numbers import NO_NUMBER, word
-from stayput.report.verdict.tables import (
-    SHARES,
-    grades_text,
-    impossible_rows,
-    ranking,
-    simulations,
-)
+from stayput.report.verdict.tables import SHARES, grades_text, impossible_rows, ranking, simulations
 from stayput.verification.words import title
 from stayput.wording import with_aside
 

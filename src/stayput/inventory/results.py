@@ -267,11 +267,7 @@ def part_names(parts: int) -> list[str]:
 
 
 def write_results(
-    folder: Path,
-    space: Workspace,
-    work: Work,
-    metadata: Mapping[str, str],
-    advance: Callable[[int], None],
+    folder: Path, space: Workspace, work: Work, metadata: Mapping[str, str], advance: Callable[[int], None]
 ) -> None:
     """Write the parts of the results that are not complete yet.
 

@@ -252,10 +252,7 @@ class Hazard:
 
     @classmethod
     def of(
-        cls,
-        scenario: Scenario,
-        further: tuple[IntensityMeasure, ...] = (),
-        ground: Suite | None = None,
+        cls, scenario: Scenario, further: tuple[IntensityMeasure, ...] = (), ground: Suite | None = None
     ) -> Hazard:
         """Return that of a scenario, or with other motions of the ground in the place of its own."""
         shaking, motions = scenario.shaking, scenario.ground() if ground is None else ground

@@ -144,14 +144,7 @@ class SceneRunner:
                 known.extend(more)
         return self._draws[motion][sample]
 
-    def run(
-        self,
-        scenes: Sequence[Scene],
-        samples: int,
-        start: int = 0,
-        *,
-        keep: bool = False,
-    ) -> list[Runs]:
+    def run(self, scenes: Sequence[Scene], samples: int, start: int = 0, *, keep: bool = False) -> list[Runs]:
         """Run scenes of the same pieces under samples of each motion.
 
         Parameters

@@ -6,15 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import say
-from stayput.catalogue.names import (
-    FAMILIES,
-    MOTIONS,
-    PIECES,
-    PIECES_OF_RUNS,
-    PLACES,
-    STRUCTURES,
-    SURFACES,
-)
+from stayput.catalogue.names import FAMILIES, MOTIONS, PIECES, PIECES_OF_RUNS, PLACES, STRUCTURES, SURFACES
 from stayput.motion.floors import floor_phrase
 from stayput.wording import called, name_within
 

@@ -266,12 +266,7 @@ def effects(effect: OptionVerdict, plan: ActionPlan, before: OptionVerdict | Non
     rows = [(key, first[key][0] if first else was, chance) for key, (chance, was) in after.items()]
     changed = [row for row in rows if row[1].share != row[2].share]
     return joined(
-        phrase(
-            "action_plan.changes",
-            what=phrase(f"rooms.chance_of_{key}"),
-            was=was.share,
-            now=chance.texts,
-        )
+        phrase("action_plan.changes", what=phrase(f"rooms.chance_of_{key}"), was=was.share, now=chance.texts)
         for key, was, chance in changed or rows
     )
 

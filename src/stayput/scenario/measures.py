@@ -5,15 +5,7 @@ from __future__ import annotations
 from functools import reduce
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, cast
 
-from pydantic import (
-    BaseModel,
-    Discriminator,
-    Field,
-    PrivateAttr,
-    Tag,
-    create_model,
-    model_validator,
-)
+from pydantic import BaseModel, Discriminator, Field, PrivateAttr, Tag, create_model, model_validator
 
 from stayput.errors import unknown
 from stayput.measures import MEASURES, Measure, parameters

@@ -22,12 +22,7 @@ from stayput.scenario.fields import TABLE, Table, Text, between, checked
 from stayput.scenario.messages import refusal_of
 from stayput.scenario.option import AS_STATED, Option
 from stayput.scenario.pieces import JointTable, PieceTable, in_place
-from stayput.scenario.plan import (  # noqa: TC001 - pydantic reads the annotations
-    DoorTable,
-    PlaceTable,
-    PlanTable,
-    WindowTable,
-)
+from stayput.scenario.plan import DoorTable, PlaceTable, PlanTable, WindowTable  # noqa: TC001 - pydantic reads the annotations
 from stayput.scenario.tables import RoomTable
 from stayput.simulation.scene import MOST_BODIES, Scene, refuse_places
 

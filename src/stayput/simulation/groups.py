@@ -51,9 +51,7 @@ def groups_at_first(scene: Scene) -> list[Group]:
 
 
 def run_in_groups(
-    groups: list[Group],
-    run: Callable[[Group], RunT],
-    tracks_of: Callable[[RunT], Sequence[Track]],
+    groups: list[Group], run: Callable[[Group], RunT], tracks_of: Callable[[RunT], Sequence[Track]]
 ) -> dict[Group, RunT]:
     """Run pieces, those together that meet.
 

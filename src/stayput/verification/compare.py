@@ -30,13 +30,7 @@ from stayput.verification.notes import Estimates
 from stayput.verification.options import compared_options
 from stayput.verification.people import hardest, harm_of, people_of, typical_of
 from stayput.verification.search import tried_options
-from stayput.verification.verdict import (
-    AsInstalled,
-    DeviceSummary,
-    OptionVerdict,
-    PieceVerdict,
-    Verdict,
-)
+from stayput.verification.verdict import AsInstalled, DeviceSummary, OptionVerdict, PieceVerdict, Verdict
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence

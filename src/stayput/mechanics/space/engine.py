@@ -18,15 +18,7 @@ import math
 from typing import Any
 
 from stayput.compiling import entry, inline, inner
-from stayput.mechanics.space.body import (
-    angular_response,
-    attitude,
-    nudge,
-    place_of,
-    sag,
-    set_attitude,
-    stop,
-)
+from stayput.mechanics.space.body import angular_response, attitude, nudge, place_of, sag, set_attitude, stop
 from stayput.mechanics.space.closing import ENTERS_BODIES, TOGETHER, keep, meeting, note_all_gaps
 from stayput.mechanics.space.contact import mobility
 from stayput.mechanics.space.devices import give, note_forces, note_loads
@@ -51,12 +43,7 @@ from stayput.mechanics.space.rest import (
 )
 from stayput.mechanics.space.solve import any_closes_fast
 from stayput.mechanics.space.stepping import RUBS, fastest, mean_push, moves, push_at, refine, step
-from stayput.mechanics.space.touching import (
-    gap_of,
-    lever_of_point,
-    lowest_lever,
-    may_touch,
-)
+from stayput.mechanics.space.touching import gap_of, lever_of_point, lowest_lever, may_touch
 from stayput.mechanics.space.vectors import added, cross, normal_of
 
 IGNORED = 1e-12

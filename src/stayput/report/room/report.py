@@ -117,10 +117,7 @@ def tables(verdict: Verdict, options: Sequence[OptionVerdict], language: str) ->
             tuple(hits),
             *texts("upper_bounds"),
         ),
-        TextTable(
-            texts("way", "chance"),
-            tuple((say(label, language), blocked) for label, blocked in ways),
-        ),
+        TextTable(texts("way", "chance"), tuple((say(label, language), blocked) for label, blocked in ways)),
         TextTable(texts("change", "hit_then", "hit_less", "shut_in_then", "overturned_then"), tuple(changes)),
     )
 

@@ -88,13 +88,7 @@ def place_of_the_measure(verdict: Verdict, held: Run, language: str) -> str:
     return f" {text}" if language == "en" else text
 
 
-def motion_told(
-    verdict: Verdict,
-    member: Member,
-    run: Run,
-    shown: tuple[float, float],
-    language: str,
-) -> str:
+def motion_told(verdict: Verdict, member: Member, run: Run, shown: tuple[float, float], language: str) -> str:
     """Return which motion a run met, how strong it was, and from when to when it is shown [s]."""
     return word(
         "motion_shown",
