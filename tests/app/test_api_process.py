@@ -20,8 +20,7 @@ import httpx
 import pytest
 from serving import COMPILING, SCENE
 
-from stayput.app.pages import words
-from stayput.app.server import address_of, bind, own_addresses, warning_of
+from stayput.app.server import address_of, bind, own_addresses, warning_of, words
 from stayput.catalogue import LANGUAGES
 from stayput.errors import InputError
 from waiting import PATIENCE, wait_until

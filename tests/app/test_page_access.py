@@ -11,7 +11,7 @@ import pytest
 from browsing import COMPILING, DESK, LOOKS, PHONE, opened
 from test_page_space import PIECES, scenario_file
 
-from stayput.app.pages import words
+from stayput.app.server import words
 from stayput.catalogue import LANGUAGES, room_page
 from stayput.report.page import canvas_files
 

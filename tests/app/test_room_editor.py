@@ -13,7 +13,7 @@ import stayput as sp
 from long_cases import long
 from stayput.fragility.probabilities import percent, probability_of_counts
 from stayput.scenario.pieces import PieceTable
-from stayput.scenario.plan import DoorTable, PlaceTable, WindowTable
+from stayput.scenario.scene import DoorTable, PlaceTable, WindowTable
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
