@@ -198,7 +198,7 @@ def test_the_page_is_in_the_wheel(tmp_path: Path) -> None:
     assert "stayput/app/templates/page_parts.html" in names
     code = (
         "from stayput.app import pages;"
-        "print(len(pages.PackageFiles('stayput.report', 'canvas').all_directories), pages.__file__)"
+        "print(len(pages.PackageFiles('stayput.report', 'canvas').all_directories), server.__file__)"
     )
     environment = {"PYTHONPATH": str(tmp_path / "unpacked")}
     done = subprocess.run(
