@@ -197,8 +197,8 @@ def test_the_page_is_in_the_wheel(tmp_path: Path) -> None:
     assert {"stayput/app/page/index.html", "stayput/app/templates/page_parts.html"} <= names
     assert "stayput/app/templates/page_parts.html" in names
     code = (
-        "from stayput.app import pages;"
-        "print(len(pages.PackageFiles('stayput.report', 'canvas').all_directories), server.__file__)"
+        "from stayput.app import server;"
+        "print(len(server.PackageFiles('stayput.report', 'canvas').all_directories), server.__file__)"
     )
     environment = {"PYTHONPATH": str(tmp_path / "unpacked")}
     done = subprocess.run(
