@@ -16,9 +16,9 @@ from hypothesis import strategies as st
 from raw import connected
 from serving import COMPILING, SCENE, Running, client_of, running
 
-from stayput.app import api, jobs, turns
+from stayput.app import api, jobs
+from stayput.app.jobs import CLIENT_HEADER, NOBODY, Client, StoppedError, Turn, Turns, first_to_go
 from stayput.app.limits import Limits
-from stayput.app.turns import CLIENT_HEADER, NOBODY, Client, StoppedError, Turn, Turns, first_to_go
 from waiting import wait_until
 
 if TYPE_CHECKING:
@@ -50,7 +50,7 @@ def slow_where(patched: pytest.MonkeyPatch, title: str) -> threading.Event:
 
 
 def test_nine_short_jobs_end_while_a_long_one_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(turns, "SLICE", 0.02)
+    monkeypatch.setattr(jobs, "SLICE", 0.02)
     go_on = slow_where(monkeypatch, "long")
     with running(replace(Limits(), threads=1)) as server, client_of(server) as anybody:
         with page(server, "greedy") as greedy:
@@ -141,7 +141,7 @@ def test_nobody_who_has_less_gives_way(found: list[tuple[str, str, int]]) -> Non
 
 
 def test_long_work_takes_turns_and_what_is_not_wanted_leaves(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(turns, "SLICE", 0.0)
+    monkeypatch.setattr(jobs, "SLICE", 0.0)
     shared, order, wanted = Turns(1), [], {"a": True, "b": True, "c": True}
     begun = {name: Turn(shared, lambda name=name: wanted[name]) for name in wanted}
     assert [begun[name].position for name in wanted] == [0, 1, 2]
@@ -166,7 +166,7 @@ def test_long_work_takes_turns_and_what_is_not_wanted_leaves(monkeypatch: pytest
 
 
 def test_a_plan_lets_another_pass_and_ends_when_its_client_leaves(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(turns, "SLICE", 0.02)
+    monkeypatch.setattr(jobs, "SLICE", 0.02)
     monkeypatch.setattr(api, "plan_html", lambda *_: "made")
 
     def plan(job: jobs.Job, *_: object) -> None:

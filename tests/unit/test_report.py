@@ -13,8 +13,7 @@ from report_runs import BODY, SHAKE, falling, made, rocking
 import stayput as sp
 from stayput.report.animation import film_of
 from stayput.report.film.frames import Painter
-from stayput.report.film.posed import posed
-from stayput.report.film.scene import ground_displacement
+from stayput.report.film.scene import ground_displacement, posed
 from stayput.report.history import cut_run, spans, telling, window_of, with_overturning
 from stayput.report.names import motion_label
 from stayput.report.palette import MODE_COLOURS, STABILITY_COLOURS, rgb

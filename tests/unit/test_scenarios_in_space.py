@@ -14,9 +14,8 @@ from stayput.measures import MEASURES
 from stayput.report.verdict.html import write_report
 from stayput.scenario import Scenario
 from stayput.simulation.case import Case
-from stayput.verification.contest import Contest
+from stayput.verification.contest import Contest, drawn_run
 from stayput.verification.options import compared_options
-from stayput.verification.replays import drawn_run
 
 BOOKCASE = {
     "furniture": {"preset": "bookcase"},

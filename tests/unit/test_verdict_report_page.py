@@ -18,9 +18,8 @@ from stayput.report.verdict.html import report_html, write_report
 from stayput.report.verdict.numbers import interval, probability, word
 from stayput.report.verdict.pairs import pairs_of, place_of_the_measure
 from stayput.report.verdict.tables import ranking
-from stayput.verification.contest import Contest
+from stayput.verification.contest import Contest, drawn_run
 from stayput.verification.options import compared_options
-from stayput.verification.replays import drawn_run
 from stayput.verification.words import headline
 
 

@@ -14,8 +14,8 @@ from stayput.montecarlo.runs import Runs
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws, rows_of
 from stayput.scenario import Scenario
 from stayput.verification import verify
+from stayput.verification.contest import drawn_run
 from stayput.verification.options import compared_options
-from stayput.verification.replays import drawn_run
 
 ROOM = {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
 FEW = np.array([5.0, 5.75, 6.5])

@@ -21,8 +21,8 @@ from stayput.montecarlo.scenes import replay
 from stayput.report.verdict.assumptions import assumptions, settlement_assumptions
 from stayput.scenario import Scenario
 from stayput.simulation.placing import placed
+from stayput.verification.contest import drawn_run
 from stayput.verification.options import compared_options
-from stayput.verification.replays import drawn_run
 
 if TYPE_CHECKING:
     from pathlib import Path

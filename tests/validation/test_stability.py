@@ -10,7 +10,7 @@ from test_ladder import gap_for
 
 import stayput as sp
 from stayput.report.animation import film_of, player_page
-from stayput.report.film.posed import posed
+from stayput.report.film.scene import posed
 from stayput.report.page import inks_css
 from stayput.report.palette import STABILITY_COLOURS, stability_looks
 from stayput.simulation.stability import (

@@ -14,13 +14,13 @@ from starlette.responses import Response
 import stayput
 from stayput.app import requests  # noqa: TC001 - FastAPI reads the annotations
 from stayput.app.downloads import KINDS, attachment, film, report_page, run_csv, scene_toml
+from stayput.app.jobs import StoppedError, Turn
 from stayput.app.motions import MotionReply, PreviewReply
 from stayput.app.presets import PresetsReply, presets
 from stayput.app.refusals import RefusedError
 from stayput.app.replies import Reply
 from stayput.app.running import ShakingReply, SimulateReply, shaking_reply, simulated
 from stayput.app.service import OF_BODY, OF_JOB, Service, json_response, of_file, problems
-from stayput.app.turns import StoppedError, Turn
 from stayput.app.verification import EverydayReply, JobReply, everyday_reply, runs_of, with_options
 from stayput.catalogue import LANGUAGES, Language
 from stayput.errors import InputError

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.requests import ClientDisconnect
 
+from stayput.app.jobs import CLIENT, CLIENT_HEADER, Client
 from stayput.app.refusals import RefusedError, error_response, refused
-from stayput.app.turns import CLIENT, CLIENT_HEADER, Client
 from stayput.errors import InputError
 
 if TYPE_CHECKING:

@@ -22,11 +22,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from pydantic import Field
 
+from stayput.app.jobs import CLIENT, Client, Workers, first_to_go
 from stayput.app.reader import ReadingResult, ReadingTask
 from stayput.app.refusals import RefusedError, problem, refused
 from stayput.app.replies import Problem, Reply
 from stayput.app.requests import ID
-from stayput.app.turns import CLIENT, Client, Workers, first_to_go
 from stayput.errors import InputError
 from stayput.motion.floors import upper_floor
 from stayput.motion.intensity import EXCEEDED, intensity_class

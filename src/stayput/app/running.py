@@ -19,15 +19,14 @@ from stayput.model.room import WALLS_AROUND
 from stayput.montecarlo.counting import Member
 from stayput.montecarlo.hazard import Ground
 from stayput.motion.intensity import intensity_class, published_intensity
-from stayput.report.film.posed import posed
-from stayput.report.film.scene import TIME_DIGITS, ground_displacement, scene_of
+from stayput.report.film.scene import TIME_DIGITS, ground_displacement, posed, scene_of
 from stayput.report.film.shape import rounded
 from stayput.report.summary import device_results, piece_results, place_called, sentences_of_piece
 from stayput.scenario.option import YOURS
 from stayput.simulation.outcome import EventKind
 from stayput.simulation.space_fate import ROCKED, SLID
+from stayput.verification.contest import drawn_run
 from stayput.verification.events import happens_in
-from stayput.verification.replays import drawn_run
 from stayput.verification.words import class_phrase
 
 if TYPE_CHECKING:

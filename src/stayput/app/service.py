@@ -10,12 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 from starlette.responses import Response
 
-from stayput.app.jobs import Jobs
+from stayput.app.jobs import Jobs, StoppedError, Turns, Workers
 from stayput.app.motions import Motions, Readers
 from stayput.app.refusals import RefusedError, refused
 from stayput.app.replies import Problem, Reply
 from stayput.app.scenes import read_scene, short_enough, unchanged, uploaded_motions
-from stayput.app.turns import StoppedError, Turns, Workers
 from stayput.app.verification import job_reply
 from stayput.catalogue import phrase
 from stayput.execution import Stop

@@ -16,8 +16,7 @@ from stayput.catalogue import phrase, say
 from stayput.errors import InputError, within
 from stayput.files import check_animation, draft
 from stayput.report.film.frames import Painter
-from stayput.report.film.posed import posed
-from stayput.report.film.scene import DRIFT_CORNER, FilmScene, scene_of
+from stayput.report.film.scene import DRIFT_CORNER, FilmScene, posed, scene_of
 from stayput.report.history import AFTER, cut_run, peak_told, telling, window_of
 from stayput.report.names import motion_label, names_of
 from stayput.report.page import Player, file_of, filled, inks_css, script_json, script_module

@@ -14,7 +14,7 @@ from stayput.report.names import motion_label
 from stayput.report.plot import plot_run
 from stayput.report.summary import sentences_of_piece
 from stayput.report.verdict.numbers import word
-from stayput.verification.replays import drawn_run
+from stayput.verification.contest import drawn_run
 from stayput.verification.words import title
 
 if TYPE_CHECKING:
