@@ -1,7 +1,7 @@
 """Simulating Monte Carlo samples: at one level of shaking, and at many for fragility curves.
 
 At many levels the runs whose outcome others tell are not made: a draw that stands at one level is taken to
-stand at all weaker ones, and one that falls to fall at all stronger ones, so that bisection finds where it
+stand at all weaker ones, and one that falls to fall at all stronger ones, so that a search finds where it
 begins to. Rocking is not monotonic in the intensity, so this is no theorem but a rule; it is wrong both ways
 about equally often. `benchmarks/verification.py` counts that, and the manual has the table.
 """
@@ -242,7 +242,7 @@ def settled_levels(
     every_run: bool = False,
     progress: Callable[[int], None] | None = None,
 ) -> tuple[list[Falls], int]:
-    """Find by bisection from which level on each draw falls; the levels beside are settled without a run.
+    """Find from which level on each draw falls; the levels beside that are settled without a run.
 
     Parameters
     ----------
@@ -283,7 +283,7 @@ def settled_levels(
             overturned[place], missing[place] = ran(place, np.ones(shape, np.bool_))
         return falls(overturned), made
     # the strongest level at which a draw is known to stand, and the weakest at which to fall
-    low, high = np.full(shape, -1), np.full(shape, len(levels))
+    low, high, step = np.full(shape, -1), np.full(shape, len(levels)), 1
     for option, (intensities, outcomes) in enumerate(known):
         below, above = (
             np.searchsorted(levels, intensities, side)[:, np.newaxis] for side in ("right", "left")
@@ -299,6 +299,11 @@ def settled_levels(
         if not open_levels.any():
             return falls(number >= high), made
         middle = (low + high) // 2
+        if known:  # most draws change near the shaking that is known: one level from there, then two, four
+            rises, sinks = (low >= 0) & (high == len(levels)), (low < 0) & (high < len(levels))
+            middle = np.where(rises, np.minimum(low + step, len(levels) - 1), middle)
+            middle = np.where(sinks, np.maximum(high - step, 0), middle)
+            step *= 2
         for place in np.unique(middle[open_levels > 0]).tolist():
             chosen = (open_levels > 0) & (middle == place)
             fell, lost = ran(place, chosen)
