@@ -25,12 +25,13 @@ from stayput.report.summary import sentences_of_piece
 from stayput.report.verdict import numbers, svg
 from stayput.report.verdict.assumptions import assumptions, told
 from stayput.report.verdict.drawing import drawing_svg
-from stayput.report.verdict.numbers import word
+from stayput.report.verdict.numbers import word, word_of
 from stayput.report.verdict.tables import (
     DEVICE_COLUMNS,
     SHARES,
     device_rows,
     estimate_rows,
+    event_headings,
     grades_text,
     impossible_rows,
     ranking,
@@ -133,18 +134,16 @@ def shared_content(
 
 def _content(verdict: Verdict, language: str) -> dict[str, Any]:
     shaking, alone = verdict.scenario.shaking, verdict.scenario.alone
-    text, of_several = partial(word, language=language), partial(say, language=language)
-    kind = text("report") if alone else of_several("several.report")
-    holds = () if alone else (of_several("several.holds"),)
+    text, text_of = partial(word, language=language), partial(word_of, verdict, language=language)
+    holds = () if alone else (text_of("holds"),)
     command = ["stayput", "verify", "scenario.toml", "--slide-limit", f"{verdict.slide_limit:g}"]
     held = [result for result in verdict.options if result.option.count]
     drawn = [verdict.without, *[verdict.best] * bool(verdict.best.option.count)] if alone else []
     sheets, texts = ["verdict/report.css"], "report" if alone else "several"
     return {
-        **shared_content(verdict, texts, kind, sheets, assumptions(verdict), language),
+        **shared_content(verdict, texts, text_of("report"), sheets, assumptions(verdict), language),
         "alone": alone,
-        "option": text("measure") if alone else of_several("several.option"),
-        "falls": text("overturned") if alone else of_several("several.any"),
+        "events": event_headings(verdict, language),
         "simulations": simulations(verdict, language),
         "impossible": impossible_rows(verdict, language),
         "pairs": pairs_of(verdict, language),
