@@ -30,9 +30,8 @@ from stayput.fragility.intensity_measures import (
 )
 from stayput.motion.ground_shaking import mercalli_of
 from stayput.report.plot import plot_run
-from stayput.report.verdict.curves import curves_svg
 from stayput.report.verdict.data import verdict_data
-from stayput.report.verdict.html import report_html
+from stayput.report.verdict.html import curves_svg, report_html
 from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.tables import verdict_csv
 from stayput.scenario.shaking import STRENGTHS

@@ -29,9 +29,9 @@ from stayput.motion.suites.synthesis import synthetic_suite
 from stayput.report.names import given_name
 from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import assumptions
-from stayput.report.verdict.curves import legend
 from stayput.report.verdict.data import verdict_data
 from stayput.report.verdict.exports import write_curves
+from stayput.report.verdict.html import legend
 from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.numbers import capacity, capacity_interval, change, force, length, share
 from stayput.report.verdict.tables import device_rows, simulations, verdict_csv

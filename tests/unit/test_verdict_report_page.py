@@ -14,9 +14,8 @@ import stayput as sp
 from stayput.catalogue import phrase
 from stayput.montecarlo.counting import Member
 from stayput.report.verdict import svg
-from stayput.report.verdict.html import report_html, write_report
+from stayput.report.verdict.html import pairs_of, place_of_the_measure, report_html, write_report
 from stayput.report.verdict.numbers import interval, probability, word
-from stayput.report.verdict.pairs import pairs_of, place_of_the_measure
 from stayput.report.verdict.tables import ranking
 from stayput.verification.contest import Contest, drawn_run
 from stayput.verification.options import compared_options

@@ -18,8 +18,7 @@ from stayput.model.floor_plan import rectangle
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.simulation.convex import inside_each_other
 from stayput.simulation.tracks import Track, at_rest, meet, outline_of, stirring
-from stayput.verification.contact import ENTERS_BY, RoomContact, contact_with_place
-from stayput.verification.events import CELL, PASSAGE, Ways
+from stayput.verification.events import CELL, ENTERS_BY, PASSAGE, RoomContact, Ways, contact_with_place
 
 
 def placed(rng: np.random.Generator, reach: float) -> sp.Piece:

@@ -38,10 +38,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "brief_text": (("Columns of events count any piece of furniture; those of the pieces tell how often "
                     "each overturns."),
                    "事象の列はいずれかの家具に起こる割合、各家具の列はその家具が転倒する割合です。"),
-    "simulations": ("{runs} runs: motions × Monte Carlo samples {motions} × {samples} for each option",
+    "simulations_text": ("{runs} runs: motions × Monte Carlo samples {motions} × {samples} for each option",
                     "合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、各案で計算"),
-    "option": ("Option", "案"),
-    "any": ("Any furniture overturns", "いずれかの家具が転倒"),
+    "measure": ("Option", "案"),
+    "overturned": ("Any furniture overturns", "いずれかの家具が転倒"),
     "each": ("Which pieces overturn", "転倒する家具"),
     "details": ("Joints and devices of each option", "案ごとの接合部と器具"),
     "holds": ("Holds", "取付け先"),

@@ -16,7 +16,7 @@ from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY
 from stayput.montecarlo.counting import EVENTS, OVERTURNED
 from stayput.report.room.report import sentences, simulations_of_room, tables
 from stayput.report.verdict import numbers
-from stayput.report.verdict.numbers import NO_NUMBER, word
+from stayput.report.verdict.numbers import NO_NUMBER, word, word_of
 from stayput.report.verdict.tables import SHARES, grades_text, impossible_rows, ranking, simulations
 from stayput.verification.words import title
 from stayput.wording import with_aside
@@ -51,7 +51,8 @@ def print_verdict(verdict: Verdict, lang: str) -> None:
 
 def _print_options(verdict: Verdict, lang: str) -> None:
     """Print the title, what is found, the table of options, and why each is where it is."""
-    text, alone, colon = partial(word, language=lang), verdict.scenario.alone, word("colon", lang)
+    text, text_of = partial(word, language=lang), partial(word_of, verdict, language=lang)
+    alone, colon = verdict.scenario.alone, text("colon")
     rows: list[tuple[str, ...]] = []
     reasons: list[str] = []
     for row in ranking(verdict, lang):
@@ -59,46 +60,41 @@ def _print_options(verdict: Verdict, lang: str) -> None:
         falls, *others = (
             NO_NUMBER if share is None else numbers.probability(share, lang) for _, share in row.shares
         )
+        out = () if row.contents is None else (numbers.probability(row.contents, lang),)
         slide = text("brief_falls") if math.isinf(result.slide.median) else row.slide[0]
         label = title(result.option, verdict, lang)
         if alone:
-            reached = (numbers.capacity(result.capacities.get(share), lang, brief=True) for share in SHARES)
-            share = f"{falls} ({row.grade})"  # the grade of its inputs stands beside the number itself
-            out = () if row.contents is None else (numbers.probability(row.contents, lang),)
-            cells = (share, *others, *out, slide, *reached)
+            last = [numbers.capacity(result.capacities.get(share), lang, brief=True) for share in SHARES]
+            falls = f"{falls} ({row.grade})"  # the grade of its inputs stands beside the number itself
             if ends := numbers.interval(result.probabilities[OVERTURNED], lang):
                 label = with_aside(label, ends, lang)
         else:
-            each = (numbers.probability(chance, lang) for _, chance in row.pieces)
-            cells = (falls, *others, slide, *each)
-        rows.append((str(result.rank), row.name or row.label, *cells))
+            last = [numbers.probability(chance, lang) for _, chance in row.pieces]
+        rows.append((str(result.rank), row.name or row.label, falls, *others, *out, slide, *last))
         reasons.append(f"{result.rank}. {label}{colon}{row.reason}")
     for (label, why), item in zip(impossible_rows(verdict, lang), verdict.impossible, strict=True):
         brief = item.option.name if item.option.own_name else label
-        rows.append((NO_NUMBER, brief, word("brief_not_possible", lang)))
-        reasons.append(f"{NO_NUMBER}  {colon.join((label, word('not_possible', lang), why))}")
+        rows.append((NO_NUMBER, brief, text("brief_not_possible")))
+        reasons.append(f"{NO_NUMBER}  {colon.join((label, text('not_possible'), why))}")
     limit = numbers.length(verdict.slide_limit, lang)
     events = [text(f"brief_{event}", limit=limit) for event in EVENTS]
-    if alone:
-        capacities = (text("brief_capacity", share=f"{100.0 * share:g}") for share in SHARES)
-        inside = (text("brief_contents_out"),) if verdict.without.contents is not None else ()
-        headings = (text("measure"), *events, *inside, text("brief_slide"), *capacities)
-        jma = FLOOR_JMA if verdict.floor else JMA_INTENSITY
-        below = (text("brief_text", intensity=jma.names), grades_text(lang))
-    else:
-        headings = (say("several.option", lang), *events, text("brief_slide"), *verdict.scenario.names)
-        below = (say("several.brief_text", lang),)
+    inside = () if verdict.without.contents is None else (text("brief_contents_out"),)
+    capacities = [text("brief_capacity", share=f"{100.0 * share:g}") for share in SHARES]
+    each = capacities if alone else verdict.scenario.names
+    headings = (text_of("measure"), *events, *inside, text("brief_slide"), *each)
+    jma = FLOOR_JMA if verdict.floor else JMA_INTENSITY
     console, paragraph = terminal(lang, verdict.scenario.title)
     paragraph(verdict.sentence(lang))
     console.print(_ranked(headings, rows, console, len(SHARES) if alone else 0))
-    for sentence in below:
-        paragraph(sentence)
+    paragraph(text_of("brief_text", intensity=jma.names))
+    if alone:
+        paragraph(grades_text(lang))
     for line in (*reasons, *verdict.notes(lang)):
         console.print(line, soft_wrap=True)
     if verdict.motions == 1:
-        paragraph(word("one_motion", lang))
+        paragraph(text("one_motion"))
     if not verdict.precise:
-        paragraph(word("not_precise", lang))
+        paragraph(text("not_precise"))
     paragraph(simulations(verdict, lang))
 
 

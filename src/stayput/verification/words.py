@@ -174,52 +174,31 @@ def _helps(option: OptionVerdict) -> bool:
 
 
 def _headline(verdict: Verdict) -> Phrase:
-    where = _where(verdict)
-    what = phrase(f"{where}.what", name=name_within(verdict.scenario.piece.title, PIECES_OF_RUNS))
-    if math.isnan(verdict.without.probabilities[OVERTURNED].estimate):
+    """Return how often something overturns without anything, and with the best option where that helps."""
+    where, strength = _where(verdict), shaking_phrase(verdict)
+    best, chance = verdict.best, verdict.without.probabilities[OVERTURNED]
+    if math.isnan(chance.estimate):
         return phrase("verification.no_bare_run", none=phrase(f"{where}.none"))
-    if _helps(verdict.best):
-        option = phrase(f"{where}.if_there", option=_title_inside(verdict.best.option, verdict))
-        return _better(verdict, what, option)
+    what = phrase(f"{where}.what", name=name_within(verdict.scenario.piece.title, PIECES_OF_RUNS))
+    bare = "" if verdict.scenario.alone else phrase("several.without")
+    falls = {"strength": strength, "what": what, "falls": falls_phrase(chance), "bare": bare}
+    if _helps(best):
+        option = phrase(f"{where}.if_there", option=_title_inside(best.option, verdict))
+        share = best.probabilities[OVERTURNED].share
+        return phrase("verification.better", **falls, option=option, share=share)
+    if chance.estimate < SMALL:
+        return phrase(f"{where}.stays_upright", strength=strength, what=what, doubt=doubt(chance))
     more: Phrase | str = ""
     if len(verdict.options) > 1:
         more = phrase(f"{where}.none_helps")
     elif verdict.impossible and where == "several":
         more = phrase("several.none_possible")
-    return _falls_or_stands(verdict, what, more)
-
-
-def _bare(verdict: Verdict) -> Phrase | str:
-    """Return that several pieces have nothing in place."""
-    return "" if verdict.scenario.alone else phrase("several.without")
+    return phrase("verification.bare_falls", **falls, more=more)
 
 
 def _where(verdict: Verdict) -> str:
     """Return the module of the catalogue that tells what overturns: this piece, or any of several."""
     return "verification" if verdict.scenario.alone else "several"
-
-
-def _better(verdict: Verdict, what: Phrase, option: Phrase) -> Phrase:
-    """Return how often something overturns without anything, and with the best option."""
-    return phrase(
-        "verification.better",
-        strength=shaking_phrase(verdict),
-        what=what,
-        falls=falls_phrase(verdict.without.probabilities[OVERTURNED]),
-        bare=_bare(verdict),
-        option=option,
-        share=verdict.best.probabilities[OVERTURNED].share,
-    )
-
-
-def _falls_or_stands(verdict: Verdict, what: Phrase, more: Phrase | str) -> Phrase:
-    """Return how often something overturns without anything, or that it stays upright."""
-    chance, strength = verdict.without.probabilities[OVERTURNED], shaking_phrase(verdict)
-    where = _where(verdict)
-    if chance.estimate < SMALL:
-        return phrase(f"{where}.stays_upright", strength=strength, what=what, doubt=doubt(chance))
-    falls, bare = falls_phrase(chance), _bare(verdict)
-    return phrase("verification.bare_falls", strength=strength, what=what, falls=falls, bare=bare, more=more)
 
 
 def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:

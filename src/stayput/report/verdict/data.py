@@ -19,14 +19,13 @@ from stayput.verification.notes import everyday_cases, notes
 from stayput.verification.options import inputs
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable
 
     from stayput.fragility.curve import FragilityCurve
     from stayput.fragility.paired import Difference
     from stayput.fragility.probabilities import Probability
     from stayput.measures import Measure
     from stayput.montecarlo.counting import Quantiles
-    from stayput.report.verdict.assumptions import Assumption
     from stayput.scenario import Scenario
     from stayput.scenario.option import Option
     from stayput.verification import Verdict
@@ -41,33 +40,6 @@ _ENDS = ("estimate", "low", "high")
 def json_text(data: dict[str, Any]) -> str:
     """Return plain values as the text of a JSON file."""
     return json.dumps(data, allow_nan=False, ensure_ascii=False, indent=2) + "\n"
-
-
-def head_data(verdict: Verdict) -> dict[str, Any]:
-    """Return the version, the title, and the verdict in one sentence by the language."""
-    return {
-        "stayput": stayput.__version__,
-        "title": verdict.scenario.title,
-        "verdict": in_both(verdict.sentence),
-    }
-
-
-def shaking_data(verdict: Verdict) -> dict[str, Any]:
-    """Return how strong the shaking is."""
-    return {
-        "jma_intensity": number(verdict.intensity),
-        "intensity_class": None if verdict.floor else intensity_class(verdict.intensity),
-        "motion_floor": verdict.floor or None,
-        "strength": strength_data(verdict.scenario, verdict.motions),
-    }
-
-
-def _foot(scenario: Scenario, rests_on: Iterable[Assumption]) -> dict[str, Any]:
-    keys = ("what", "value", "confidence")
-    return {
-        "assumptions": [dict(zip(keys, row, strict=True)) for row in told(rests_on, "en")],
-        "scenario_toml": scenario.to_toml(),
-    }
 
 
 def in_both(text: Callable[[str], str]) -> dict[str, str]:
@@ -87,10 +59,15 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         The verdict.
     """
     return {
-        **head_data(verdict),
+        "stayput": stayput.__version__,
+        "title": verdict.scenario.title,
+        "verdict": in_both(verdict.sentence),
         "notes": [by_language(note) for note in notes(verdict)],
         "best": verdict.best.option.name,
-        **shaking_data(verdict),
+        "jma_intensity": number(verdict.intensity),
+        "intensity_class": None if verdict.floor else intensity_class(verdict.intensity),
+        "motion_floor": verdict.floor or None,
+        "strength": strength_data(verdict.scenario, verdict.motions),
         "slide_limit_m": verdict.slide_limit,
         **attributes(verdict, "motions", "samples", "runs"),
         "settled_runs": verdict.settled,
@@ -110,7 +87,11 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         ],
         "estimates": None if verdict.estimates is None else _estimates(verdict.estimates),
         "everyday": everyday_data(verdict.scenario) if verdict.scenario.alone else None,
-        **_foot(verdict.scenario, assumptions(verdict)),
+        "assumptions": [
+            {"what": what, "value": value, "confidence": confidence}
+            for what, value, confidence in told(assumptions(verdict), "en")
+        ],
+        "scenario_toml": verdict.scenario.to_toml(),
     }
 
 
@@ -302,12 +283,9 @@ def interval_data(chance: Probability | Difference) -> dict[str, Any]:
     return attributes(chance, *_ENDS)
 
 
-def _counted(chance: Probability) -> dict[str, Any]:
-    return {**interval_data(chance), "count": chance.fell, "runs": chance.runs, "missing": chance.missing}
-
-
 def _probability(chance: Probability) -> dict[str, Any]:
-    return {**_counted(chance), "text": chance.text}
+    counts = {"count": chance.fell, "runs": chance.runs, "missing": chance.missing}
+    return {**interval_data(chance), **counts, "text": chance.text}
 
 
 def quantiles_data(quantiles: Quantiles) -> dict[str, float | None]:

@@ -12,7 +12,7 @@ from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED
 from stayput.report.names import place_named
 from stayput.report.summary import number
 from stayput.report.verdict import numbers
-from stayput.report.verdict.numbers import word
+from stayput.report.verdict.numbers import word, word_of
 from stayput.simulation.placing import JOINT, JOINT_LABEL
 from stayput.spreadsheets import csv_text
 from stayput.verification.options import weakest
@@ -120,6 +120,13 @@ def ranking(verdict: Verdict, language: str) -> list[RankingRow]:
     return rows
 
 
+def event_headings(verdict: Verdict, language: str) -> list[str]:
+    """Return the headings of the columns of events."""
+    limit = numbers.length(verdict.slide_limit, language)
+    others = [word(event, language, limit=limit) for event in EVENTS if event != OVERTURNED]
+    return [word_of(verdict, OVERTURNED, language), *others]
+
+
 def impossible_rows(verdict: Verdict, language: str) -> list[tuple[str, str]]:
     """Return label and reason of each option that cannot be put in place."""
     return [(title(item.option, verdict, language), item.why(language)) for item in verdict.impossible]
@@ -182,9 +189,7 @@ def _device(device: DeviceSummary, label: Phrase, language: str) -> tuple[str, .
 def simulations(verdict: Verdict, language: str) -> str:
     """Return the number of simulations in words, and of the runs that were settled without one."""
     counts = {"runs": f"{verdict.runs:,}", "motions": verdict.motions, "samples": verdict.samples}
-    if not verdict.scenario.alone:
-        return say("several.simulations", language, **counts)
-    made = word("simulations_text", language, **counts)
+    made = word_of(verdict, "simulations_text", language, **counts)
     return made + word("settled_text", language, settled=f"{verdict.settled:,}") if verdict.settled else made
 
 
