@@ -120,7 +120,7 @@ def test_every_form_of_the_verdict_says_it(usual):
     assert "を実際の取付けのとおりとすると、" in usual.sentence("ja")
     assert clause in verdict_markdown(usual).replace("\\", "")
     assert clause in report_html(usual, "en")
-    assert "実際の取付けでは" in verdict_markdown(usual, "ja")
+    assert "（23%が" in verdict_markdown(usual, "ja")
     data = {one["name"]: one for one in json.loads(usual.to_json())["options"]}
     told = data["l_bracket"]["as_installed"]
     assert told["badly_share"] == FAULTY
@@ -139,7 +139,9 @@ def test_a_difference_that_cannot_be_seen_is_called_none(usual):
     told = f"{held.share[0]} overturn, no clear difference from when it is well installed: 23 % of"
     assert told in reason(same, usual, "en")
     assert "と明らかな差はありません（23%が" in reason(same, usual, "ja")
-    assert "from when" not in reason(bracket, usual, "en")
+    apart = replace(bracket.installed, usual={OVERTURNED: held.estimate + 0.4})
+    assert "from when" not in reason(replace(bracket, installed=apart), usual, "en")
+    assert "実際の取付けでは" in reason(replace(bracket, installed=apart), usual, "ja")
 
 
 def test_cautions_and_the_weakest_link_stand_in_the_reason():

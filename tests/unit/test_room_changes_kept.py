@@ -44,7 +44,9 @@ def test_the_terminal_lists_the_changes_that_help_and_the_next_three(
     assert (chance.helps, helping.helps) == (False, True)
     label, better = (verdict.label(one, language) for one in (chance, helping))
     for others, shown in ((3, 3), (4, 4), (5, 3), (15, 3)):
-        print_verdict(replace(verdict, options=((chance,) * others + (helping, verdict.without))), language)
+        print_verdict(
+            replace(verdict, options=((helping,) + (chance,) * others + (verdict.without,))), language
+        )
         told = capsys.readouterr().out
         listed = told[told.index(say("rooms.change", language)) :]
         assert (listed.count(label), listed.count(better)) == (shown, 1)

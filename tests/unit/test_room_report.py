@@ -17,7 +17,7 @@ from stayput.measures import Belt
 from stayput.model.floor_plan import rectangle
 from stayput.montecarlo.counting import EVENTS, Member, Quantiles
 from stayput.report.room.plan import DrawnPiece, change_plan, covers_svg, plan_svg
-from stayput.report.room.report import change_rows, hit_rows, piece_rows, room_html, write_room_report
+from stayput.report.room.report import change_rows, hit_rows, piece_rows, room_html, tables, write_room_report
 from stayput.report.room.sheet import (
     LONGEST,
     PlanLabel,
@@ -168,7 +168,7 @@ def page(request):
 
 
 def barred(verdict):
-    """Return the chances that the report draws as bars, in its order: the change that clearly helps first."""
+    """Return the chances that the report draws as bars, in its order."""
     return [
         *(one.hit for one in people_in(verdict).places),
         *(one.probability for place in people_in(verdict).places for one in place.by),
@@ -177,7 +177,7 @@ def barred(verdict):
         *(one.probabilities[event] for one in verdict.without.pieces for event in ("overturned", "slid")),
         *(
             chance
-            for one in (verdict.others[1], verdict.others[0])
+            for one in verdict.others
             for chance in (
                 one.people.hit.chance,
                 one.people.shut_in.chance,
@@ -222,16 +222,17 @@ def test_the_tables_hold_the_numbers_of_their_rows():
     assert pieces[0]["slide"] == ("2.1 cm", "4.3 cm")
 
 
-def test_changes_that_clearly_help_come_first():
+def test_it_says_of_each_change_whether_it_clearly_helps_or_makes_something_worse():
     verdict = made()
     rows = change_rows(verdict, "en")
-    assert [row["kind"] for row in rows] == ["better", "chance"]
-    assert rows[0]["label"] == verdict.label(verdict.others[1])
+    assert [row["kind"] for row in rows] == ["chance", "better"]
+    assert [row["label"] for row in rows] == [verdict.label(one) for one in verdict.others]
     first = verdict.others[0]
     hit = first.people.hit._replace(change=difference(shares(0.9, 1), shares(0.1, 2)))
     worse = replace(first, people=replace(first.people, hit=hit))
-    rows = change_rows(replace(verdict, options=(worse, *verdict.options)), "en")
-    assert [row["kind"] for row in rows] == ["better", "chance", "worse"]
+    told = replace(verdict, options=(*verdict.options, worse))
+    assert [row["kind"] for row in change_rows(told, "en")] == ["chance", "better", "worse"]
+    assert tables(told, told.others, "en")[2].rows[2][0].endswith("(clearly more hit)")
 
 
 def test_it_needs_nothing_else_and_can_be_read_without_seeing_it(page):

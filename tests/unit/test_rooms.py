@@ -169,9 +169,9 @@ def test_the_verdict_hangs_together(verdict: Verdict):
     assert verdict.runs == len(verdict.options) * 6
 
 
-def test_changes_are_compared_run_by_run_and_harm_ranks_first(verdict: Verdict):
+def test_changes_are_compared_run_by_run_and_what_is_clear_ranks_first(verdict: Verdict):
     assert verdict.others
-    severities = [of_people(one).severity for one in verdict.options]
+    severities = [(bool(one.worse) - one.helps, *of_people(one).severity) for one in verdict.options]
     assert severities == sorted(severities)
     now = people_in(verdict)
     for one in verdict.others:

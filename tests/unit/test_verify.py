@@ -1,6 +1,7 @@
 """Verification: options, draws, levels, what they say; the same bits however it is run."""
 
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +9,7 @@ import pytest
 
 import stayput as sp
 from stayput.fragility.intensity_measures import JMA_INTENSITY, PGA
-from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED, Member, Quantiles, members
+from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED, Member, Quantiles, worst_of
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import Runs
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws, rows_of
@@ -16,6 +17,7 @@ from stayput.scenario import Scenario
 from stayput.verification import verify
 from stayput.verification.contest import drawn_run
 from stayput.verification.options import compared_options
+from stayput.verification.people import typical_of
 
 ROOM = {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
 FEW = np.array([5.0, 5.75, 6.5])
@@ -244,14 +246,24 @@ def test_quantiles_count_a_fall_as_infinite():
     assert Quantiles.of(peaks, np.zeros((1, 4), bool)).p90 == 9.0
 
 
-def test_members_are_the_median_and_the_worst():
+def test_the_typical_run_is_in_the_middle_and_the_worst_at_the_end():
     tilt = np.array([[0.1, 0.3], [0.2, 0.0]])
     none = np.zeros((2, 2), bool)
     nothing = np.empty((2, 2, 0))
     runs = Runs(none, none, none, none, 0.0 * tilt, tilt, nothing, nothing, 0.0 * tilt)
-    typical, worst = members(runs)
-    assert (worst.motion, worst.sample) == (0, 1)
-    assert (typical.motion, typical.sample) == (0, 0)
+    assert worst_of(runs) == Member(0, 1)
+    assert typical_of(runs) == Member(0, 0)
+    falls = replace(runs, overturned=np.array([[False, True], [False, False]]))
+    assert typical_of(falls) == Member(0, 0)  # as most do, it stands
+    gone = replace(falls, missing=np.array([[False, True], [False, False]]))
+    assert worst_of(gone) == Member(1, 0)
+
+
+def test_the_typical_draw_is_so_without_and_with_a_measure():
+    fell = np.array([[True, True], [True, False]]), np.array([[True, False], [False, False]])
+    none, nothing = np.zeros((2, 2), bool), np.empty((2, 2, 0))
+    bare, held = (Runs(of, none, none, none, 0.0 * of, 0.1 * of, nothing, nothing, 0.0 * of) for of in fell)
+    assert typical_of(bare, held) in (Member(0, 1), Member(1, 0))  # falls, and is held
 
 
 def test_a_piece_is_safe_by_the_end_of_the_interval_alone():

@@ -13,8 +13,8 @@ TEXTS: dict[str, tuple[str, str]] = {
                           "each measure and level"),
                          ("合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、"
                           "各対策・各レベルで計算しました。")),
-    "settled_text": (("; of {settled} more, weaker or stronger shaking with the same draw told whether "
-                      "the piece falls"),
+    "settled_text": (("; {settled} more were not needed, since weaker or stronger shaking with the same draw "
+                      "told the outcome"),
                      ("ほかの{settled}回は、同じ条件でのより弱い揺れ・強い揺れの結果から、"
                       "計算せずに判定しています。")),
     "motions": ("Motions", "地震動"),
@@ -100,9 +100,10 @@ TEXTS: dict[str, tuple[str, str]] = {
                  "地震動が1つだけでは、他の地震動でどれだけばらつくか分からないため、帯はありません。"),
     "watch": ("See it happen", "動きを見る"),
     "typical": ("A typical case", "典型的な場合"),
-    "typical_text": (("{without}, half of the runs went better than this one and half went worse. The "
-                      "same motion and the same draw on both sides."),
-                     "{without}で、結果がちょうど中程度だった計算です。どちらも同じ地震動・同じ標本です。"),
+    "typical_text": (("Of all draws the one that differs least from the others in what falls, without a "
+                      "measure and with it. The same motion and the same draw on both sides."),
+                     ("対策の有無とも、何が倒れるかがほかの標本に最も近い計算です。"
+                      "どちらも同じ地震動・同じ標本です。")),
     "typical_also_falls": ("With the measure it overturns in {share} of the cases, and in this run.",
                            "この対策では{share}の場合に転倒し、この計算でも転倒します。"),
     "typical_is_held": ("With the measure it overturns in {share} of the cases, but not in this run.",
@@ -115,8 +116,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "worst_bare_text": ("{without}, the run that went worst.", "{without}で最も悪い結果になった計算です。"),
     "scene_alt": ("Animation of what stands in the room: {content}", "部屋と家具の動画：{content}"),
     "histories": ("Time histories", "時刻歴"),
-    "typical_bare_text": ("{without}, half of the runs went better than this one and half went worse.",
-                          "{without}で、結果がちょうど中程度だった計算です。"),
+    "typical_bare_text": ("Of all draws the one that differs least from the others in what falls.",
+                          "何が倒れるかがほかの標本に最も近い計算です。"),
     "axis_time": ("Time [s]", "時刻 [s]"),
     "motion_shown": (("Motion {number} of {count}: {name}; {peak}. Shown from {start} to {end} s of "
                       "{duration} s."),

@@ -9,7 +9,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "stays_upright": (("In shaking of JMA intensity {strength} all furniture stays upright without joints "
                        "and measures{doubt}."),
                       "{strength}の揺れでも、接合・対策なしで家具は転倒しません{doubt}。"),
-    "none_helps": (", and nothing that was compared makes it clearly less",
+    "none_helps": (", and nothing that was compared makes that clearly rarer",
                    "比較した案では明らかには減りません。"),
     "none_possible": ("; nothing else was compared, as none of the options is possible",
                       "どの案も設置できないため、比較していません。"),

@@ -13,8 +13,8 @@ TEXTS: dict[str, tuple[str, str]] = {
                   "{heading:.0f}° from their x."),
                  ("三次元で、地震動のすべての成分を使って計算しました（家具の向きはx成分から"
                   "{heading:.0f}°）。")),
-    "in_space_drawn": (("Simulated in space, under all components of the motions, whose x points "
-                        "elsewhere in plan in each run."),
+    "in_space_drawn": (("Simulated in space, under all components of the motions, whose direction in plan is "
+                        "drawn anew in each run."),
                        "三次元で、地震動のすべての成分を使い、x成分の向きを毎回変えて計算しました。"),
     "no_length": (("Simulated in the plane of the piece's depth, since its length is not stated: the "
                    "shaking along it is left out, which the devices bear too."),
@@ -48,7 +48,7 @@ TEXTS: dict[str, tuple[str, str]] = {
                       "（今回の計算の範囲では。{share}の場合に転倒する可能性は否定できません）"),
     "bare_falls": ("In shaking of JMA intensity {strength} {what} overturns {falls}{bare}{more}.",
                    "{strength}の揺れで、{what}{falls}。{more}"),
-    "none_helps": (", and no measure that was compared makes it clearly less",
+    "none_helps": (", and no measure that was compared makes that clearly rarer",
                    "比較した対策では明らかには減りません。"),
     # why an option stands where it does: clauses
     "no_run": ("No run could be followed to its end.", "最後まで進んだ計算がありません。"),

@@ -151,6 +151,5 @@ def _print_room(verdict: Verdict, lang: str) -> None:
 
 def _listed(verdict: Verdict) -> tuple[OptionVerdict, ...]:
     """Return the options of a room that help and the next few; all where only one would be left out."""
-    first = sorted(verdict.others, key=lambda option: not option.helps)
-    shown = sum(option.helps for option in first) + _NEXT
-    return tuple(first if len(first) <= shown + 1 else first[:shown])
+    shown = sum(option.helps for option in verdict.others) + _NEXT
+    return verdict.others if len(verdict.others) <= shown + 1 else verdict.others[:shown]

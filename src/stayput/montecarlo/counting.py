@@ -149,15 +149,9 @@ def severity(probabilities: Mapping[str, Probability], cost: int) -> tuple[float
     )
 
 
-def members(runs: Outcomes) -> tuple[Member, Member]:
-    """Return the run of median severity, and the worst: by overturning, then by tilt, then by slide."""
-    order = np.lexsort((runs.slide.ravel(), runs.tilt.ravel(), runs.overturned.ravel()))
-    completed = order[~runs.missing.ravel()[order]]
-    ranked = completed if len(completed) else order
-    samples = runs.tilt.shape[1]
-
-    def member(place: int) -> Member:
-        number = int(ranked[place])
-        return Member(number // samples, number % samples)
-
-    return member((len(ranked) - 1) // 2), member(len(ranked) - 1)
+def worst_of(runs: Outcomes) -> Member:
+    """Return the worst run: by overturning, then by tilt, then by slide; one given up only where all are."""
+    order = np.lexsort(
+        (runs.slide.ravel(), runs.tilt.ravel(), runs.overturned.ravel(), ~runs.missing.ravel())
+    )
+    return Member(*divmod(int(order[-1]), runs.tilt.shape[1]))

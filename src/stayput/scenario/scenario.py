@@ -380,7 +380,7 @@ def read_scenario(path: str | Path) -> Scenario:
     felt_glides: overturned
     belt: rocked
     l_bracket: rocked
-    stopper and poles: rocked
+    stopper and poles: overturned
     """
     instance_of("path", path, (str, PathLike))
     file = Path(path)

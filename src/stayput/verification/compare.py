@@ -18,7 +18,7 @@ from stayput.fragility.probabilities import probability
 from stayput.fragility.trials import Trials
 from stayput.measures.element import weakest
 from stayput.mechanics.devices.columns import HOLDS
-from stayput.montecarlo.counting import Quantiles, members, severity
+from stayput.montecarlo.counting import Quantiles, severity, worst_of
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import FIRST_SAMPLES, Settings, sample_until_precise
 from stayput.progress import tally
@@ -239,7 +239,8 @@ def verdicts_of(
 ) -> tuple[OptionVerdict, ...]:
     """Return the verdicts on options, that without anything first in its arguments, the best first.
 
-    Harm to people ranks before all else; then `stayput.montecarlo.counting.severity`.
+    What clearly helps people ranks before what does not, and that before what clearly makes something worse;
+    then harm to people; then `stayput.montecarlo.counting.severity`.
     """
     verdicts: list[OptionVerdict] = []
     for i, (option, runs) in enumerate(zip(options, outcomes, strict=True)):
@@ -250,11 +251,15 @@ def verdicts_of(
         verdicts.append(replace(verdict, curves=curves, capacities=capacities, **further))
 
     def key(i: int) -> tuple[float, ...]:
-        people = verdicts[i].people
-        harm = () if people is None else people.severity
-        return *harm, *severity(verdicts[i].probabilities, options[i].count), i
+        verdict = verdicts[i]
+        kind = -1 if verdict.helps else int(bool(verdict.worse))
+        harm = () if verdict.people is None else (kind, *verdict.people.severity)
+        return *harm, *severity(verdict.probabilities, options[i].count), i
 
     order = sorted(range(len(verdicts)), key=key)
+    best = outcomes[order[0]]
+    if contest.scenario.plan is None:  # both are shown under the same draw
+        verdicts[0] = replace(verdicts[0], typical=typical_of(outcomes[0], best))
     return tuple(replace(verdicts[i], rank=rank) for rank, i in enumerate(order, start=1))
 
 
@@ -275,8 +280,11 @@ def option_verdict(
         How many options are compared with what is without.
     """
     limit, scenario = contest.settings.slide_limit, contest.scenario
-    typical, worst = members(runs)
-    each = [*runs.of_bodies()]
+    held = contest.held_by(option)
+    each = [
+        replace(outcomes, device_failed=_failed(runs, [name in pieces for pieces, _ in held]))
+        for name, outcomes in zip(scenario.names, runs.of_bodies(), strict=True)
+    ]
     of_bare = [None] * len(each) if bare is None else [*bare.of_bodies()]
     people, zones, harm = None, [None] * len(each), [0.0] * len(each)
     if (plan := contest.plan(option)) is not None and contest.watcher is not None:
@@ -285,8 +293,6 @@ def option_verdict(
         people = people_of(runs, bare, plan, masses, contest.at_rest(option))
         harm = [harm_of(hardest(runs, [n]), plan.places, runs.missing) for n in range(len(each))]
         zones = zones_of(runs, pieces, contest.watcher, plan)
-    if runs.results is not None:
-        typical = typical_of(runs)
 
     def change(of: Outcomes, without: Outcomes | None) -> Difference | None:
         if without is None:
@@ -301,8 +307,8 @@ def option_verdict(
         change=change(runs, bare),
         slide=Quantiles.of(runs.slide, runs.overturned),
         tilt=Quantiles.of(runs.tilt, runs.overturned),
-        typical=typical,
-        worst=worst,
+        typical=typical_of(runs),
+        worst=worst_of(runs),
         pieces=tuple(
             PieceVerdict(
                 name,
@@ -317,13 +323,17 @@ def option_verdict(
             for n, (name, outcomes, without) in enumerate(zip(scenario.names, each, of_bare, strict=True))
         ),
         devices=tuple(
-            device_summary(pieces, element, number, runs)
-            for number, (pieces, element) in enumerate(contest.held_by(option))
+            device_summary(pieces, element, number, runs) for number, (pieces, element) in enumerate(held)
         ),
         curves={},
         capacities={},
         people=people,
     )
+
+
+def _failed(runs: Runs, chosen: Sequence[bool]) -> NDArray[np.bool_]:
+    """Return in which runs any of the chosen devices failed, shape (motions, samples)."""
+    return (runs.devices["failure"][..., np.flatnonzero(chosen)] != HOLDS).any(axis=-1)
 
 
 def device_summary(

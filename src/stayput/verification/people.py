@@ -288,23 +288,25 @@ def _by(runs: Runs, place: int, pieces: Sequence[tuple[str, float]]) -> tuple[Hi
     return tuple(sorted(verdicts, key=lambda hit: -hit.harm))
 
 
-def typical_of(runs: Runs) -> Member:
+def typical_of(*each: Runs) -> Member:
     """Return the run that differs least from all runs in what falls, hits, blocks and shuts in.
 
     Each of these counts by the share of the runs that have it otherwise; of equals the one whose largest tilt
-    is in the middle.
+    is in the middle. Of several options it is the one draw that differs least with all of them.
     """
-    assert runs.results is not None
-    flags = [runs.results["outcome"] == OVERTURNED_OUTCOME]
-    if runs.hits is not None and runs.blocked is not None and runs.shut_in is not None:
-        flags += [hits_in(runs).reshape(*runs.missing.shape, -1), runs.blocked, runs.shut_in]
-    happens = np.concatenate(flags, axis=2)
-    if runs.missing.all():
+    flags: list[NDArray[np.bool_]] = []
+    for runs in each:
+        of_pieces = None if runs.results is None else runs.results["outcome"] == OVERTURNED_OUTCOME
+        flags.append(runs.overturned[..., np.newaxis] if of_pieces is None else of_pieces)
+        if runs.hits is not None and runs.blocked is not None and runs.shut_in is not None:
+            flags += [hits_in(runs).reshape(*runs.missing.shape, -1), runs.blocked, runs.shut_in]
+    happens, missing = np.concatenate(flags, axis=2), np.any([runs.missing for runs in each], axis=0)
+    if missing.all():
         return Member(0, 0)
-    share = happens[~runs.missing].mean(axis=0)
+    share = happens[~missing].mean(axis=0)
     otherwise: NDArray[np.float64] = share + happens * (1.0 - 2.0 * share)
     far: NDArray[np.float64] = otherwise.sum(axis=2)
-    far[runs.missing] = np.inf
+    far[missing] = np.inf
     alike = np.flatnonzero(far.ravel() <= far.min() + 1e-9)
-    in_order = alike[np.argsort(runs.tilt.ravel()[alike], kind="stable")]
+    in_order = alike[np.argsort(each[0].tilt.ravel()[alike], kind="stable")]
     return Member(*divmod(int(in_order[(len(in_order) - 1) // 2]), far.shape[1]))

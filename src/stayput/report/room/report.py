@@ -41,10 +41,6 @@ if TYPE_CHECKING:
     from stayput.verification.verdict import OptionVerdict, Verdict
 
 
-KINDS = ("better", "chance", "worse")
-"""What can be said of a change: that it clearly helps, nothing, or that something clearly gets worse."""
-
-
 class TextTable(NamedTuple):
     """A table of texts, with what is said below it; without rows it is left out."""
 
@@ -74,6 +70,12 @@ def tables(verdict: Verdict, options: Sequence[OptionVerdict], language: str) ->
     def chance(value: Probability) -> str:
         return say(value.texts, language)
 
+    def warned(option: OptionVerdict) -> str:
+        label, clear = verdict.label(option, language), [say(tag, language) for tag in tags(option)]
+        return (
+            with_aside(label, say("common.listed", language).join(clear), language) if option.worse else label
+        )
+
     hits: list[tuple[str, ...]] = []
     for place in people.places:
         shares = (numbers.probability(share, language) for share in (place.by_day, place.by_night))
@@ -102,7 +104,7 @@ def tables(verdict: Verdict, options: Sequence[OptionVerdict], language: str) ->
     ]
     changes = [
         (
-            verdict.label(option, language),
+            warned(option),
             chance(option.people.hit.chance),
             numbers.change(option.people.hit.change, language),
             chance(option.people.shut_in.chance),
@@ -262,7 +264,7 @@ def piece_rows(verdict: Verdict, language: str) -> list[dict[str, Any]]:
 
 
 def change_rows(verdict: Verdict, language: str) -> list[dict[str, Any]]:
-    """Return the single changes: those that clearly help, the best first, then the others.
+    """Return the single changes, the best first.
 
     Their differences are from the room as it is; only a piece has a chance of overturning.
     """
@@ -285,4 +287,4 @@ def change_rows(verdict: Verdict, language: str) -> list[dict[str, Any]]:
                 "risk": _risk(people.risk, people.hit.chance, language),
             }
         )
-    return sorted(rows, key=lambda row: KINDS.index(row["kind"]))
+    return rows
