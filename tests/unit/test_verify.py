@@ -197,6 +197,17 @@ def test_the_ground_has_the_level_and_the_floor_follows(building):
     assert floors.measures[PGA] == pytest.approx([m.to_intensity(5.5).pga for m in hazard.ground])
 
 
+def test_peaks_are_of_the_larger_component_that_acts_and_nothing_where_none_does():
+    small = np.tile([0.0, 1.0, 0.0, -1.0], 50)
+    large = -3.0 * small
+    across = sp.Motion(0.01, small, y=large, z=small)
+    upward = sp.Motion(0.01, 0.0 * small, z=large)
+    for dimensions, pga in ((3, 3.0), (2, 1.0)):
+        floors = Hazard(sp.Suite((across,)), dimensions=dimensions).at(4.0)
+        assert floors.measures[PGA] == pytest.approx(pga * floors.scales)
+    assert Hazard(sp.Suite((upward,))).at(4.0).measures[PGA] == [0.0]
+
+
 def test_usual_measures_are_those_that_can_be_applied_here():
     furniture = {"preset": "bookcase"}
     near, open_room = (

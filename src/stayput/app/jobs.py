@@ -1,7 +1,8 @@
 """Jobs: verifications in the background, with their progress; each can be cancelled at any time.
 
 Where there are several they go on by turns, which change where a job notes its progress: so a long job does
-not keep a short one waiting.
+not keep a short one waiting. Threads and turns are shared among clients: a client is a page at an address;
+the header `CLIENT_HEADER` says which of the pages there it is.
 """
 
 from __future__ import annotations
@@ -23,14 +24,13 @@ from stayput.errors import InputError
 from stayput.execution import Stop
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Collection
 
     from stayput.app.limits import Limits
     from stayput.scenario import Scenario
     from stayput.verification import Verdict
 
     JobWork = Callable[..., Verdict]
-    from collections.abc import Callable, Collection
 
 
 P = ParamSpec("P")

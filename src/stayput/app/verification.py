@@ -22,6 +22,7 @@ from stayput.report.verdict.tables import estimate_rows
 from stayput.scenario import Scenario
 from stayput.scenario.measures import table_of
 from stayput.scenario.option import YOURS
+from stayput.verification.compare import LEVELS
 from stayput.verification.contents import runs_of_contents
 from stayput.verification.events import CELL
 from stayput.verification.notes import everyday_note, shaken_notes
@@ -40,7 +41,7 @@ if TYPE_CHECKING:
     from stayput.verification import Verdict
     from stayput.verification.verdict import OptionVerdict
 
-CURVE_POINTS = 91
+CURVE_POINTS = 10 * (len(LEVELS) - 1) + 1
 """Intensities at which a curve is sent, over what was run: ten from level to level."""
 
 

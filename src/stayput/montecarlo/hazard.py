@@ -18,7 +18,7 @@ from stayput.errors import InputError
 from stayput.fragility.intensity_measures import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV, IntensityMeasure
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import of_the_ground
-from stayput.motion.ground_shaking import GroundStrength, horizontal_peak, horizontal_sa
+from stayput.motion.ground_shaking import GroundStrength, horizontal_peak, horizontal_sa, larger_peak
 from stayput.motion.intensity import factor_to_intensity, mercalli_beyond
 from stayput.simulation.many import plane_shaking
 
@@ -333,6 +333,11 @@ class Hazard:
         return FloorMotions(motions, scales, measures, self.ground.floor)
 
     @cached_property
+    def _horizontal_peaks(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        pga, pgv = ([horizontal_peak(motion, name) for motion in self.ground] for name in ("PGA", "PGV"))
+        return np.array(pga), np.array(pgv)
+
+    @cached_property
     def _spectral(self) -> dict[float, NDArray[np.float64]]:
         periods = [measure.period for measure in self.further if measure.period is not None]
         return {T: np.array([horizontal_sa(motion, T) for motion in self.ground]) for T in periods}
@@ -344,11 +349,11 @@ class Hazard:
             return factors * self._spectral[measure.period]
         if measure != MMI:
             raise ValueError(measure)
-        pga, pgv = _peaks(tuple(self.ground))
+        pga, pgv = self._horizontal_peaks
         return np.array([mercalli_beyond(k * a, k * v) for k, a, v in zip(factors, pga, pgv, strict=True)])
 
 
 def _peaks(motions: tuple[Motion, ...]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return the peaks of acceleration [m/s²] and velocity [m/s] of motions, of the larger component each."""
-    pga, pgv = ([horizontal_peak(motion, name) for motion in motions] for name in ("PGA", "PGV"))
+    pga, pgv = ([larger_peak(motion, name) for motion in motions] for name in ("PGA", "PGV"))
     return np.array(pga), np.array(pgv)

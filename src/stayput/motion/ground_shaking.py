@@ -220,16 +220,21 @@ def horizontal_sa(motion: Motion, period: float) -> float:
     return math.prod(values.values()) ** (1.0 / len(values))
 
 
+def larger_peak(motion: Motion, measure: StrengthMeasure) -> float:
+    """Return PGA [m/s²] or PGV [m/s] of the larger horizontal component of a motion; 0 of a still one."""
+    single = map(motion.component, motion.horizontal)
+    return max(part.pga if measure == "PGA" else part.pgv for part in single)
+
+
 def horizontal_peak(motion: Motion, measure: StrengthMeasure) -> float:
-    """Return PGA [m/s²] or PGV [m/s] of a motion: that of its larger horizontal component.
+    """Return the same of a motion that is to be scaled by it, which may not be still.
 
     Raises
     ------
     InputError
         A still motion.
     """
-    single = map(motion.component, motion.horizontal)
-    peak = max(part.pga if measure == "PGA" else part.pgv for part in single)
+    peak = larger_peak(motion, measure)
     if not peak > 0.0:
         raise InputError("motion.still_floor")
     return peak

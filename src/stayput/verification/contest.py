@@ -1,4 +1,4 @@
-"""`Contest`: the options of a verification under its motions and draws."""
+"""`Contest`: the options of a verification under its motions and draws; and one of its runs made again."""
 
 from __future__ import annotations
 
