@@ -7,23 +7,18 @@ import math
 import re
 import sys
 import warnings
-from collections.abc import Sized
+from collections.abc import Callable, Collection, Generator, Iterable, Mapping, Sequence, Sized
 from contextlib import contextmanager
 from contextvars import ContextVar
 from difflib import get_close_matches
 from pathlib import PurePath
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, Self, TypeVar
 
-from stayput.catalogue import TEXTS, is_phrase, phrase, say
+from stayput.catalogue import TEXTS, Language, Phrase, is_phrase, phrase, say
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Generator, Iterable, Mapping, Sequence
-    from typing import Self
-
     import numpy as np
     from numpy.typing import NDArray
-
-    from stayput.catalogue import Language, Phrase
 
 T = TypeVar("T")
 

@@ -16,12 +16,13 @@ from __future__ import annotations
 import itertools
 import math
 import os
+from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import partial
 from threading import Event, Lock, current_thread, main_thread
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, Self, TypeVar
 from uuid import uuid4
 from weakref import WeakValueDictionary
 
@@ -31,9 +32,6 @@ import stayput
 from stayput.errors import InputError, instance_of, whole_within
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Iterable, Iterator
-    from typing import Self
-
     import numpy as np
     from numpy.typing import NDArray
 

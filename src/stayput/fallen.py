@@ -10,11 +10,12 @@ likelihood ratio: where ln L is less than 1.92 below its peak; of a bound, 3.00.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cache, partial
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 from scipy.special import betaln, gammaln
 
 from stayput.catalogue import phrase
@@ -29,12 +30,6 @@ from stayput.motion.floors import of_the_ground
 from stayput.motion.suites.families import SEED_RANGE
 from stayput.motion.suites.suite import Suite
 from stayput.motion.suites.synthesis import synthetic_suite
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from numpy.typing import ArrayLike, NDArray
-
 
 LEVELS: NDArray[np.float64] = np.linspace(4.5, 7.5, 31)
 """JMA intensities that are tried by default: every tenth from 4.5 to 7.5."""

@@ -6,16 +6,13 @@ import os
 import re
 import secrets
 import shutil
+from collections.abc import Generator, Iterable, Sequence
 from contextlib import contextmanager, suppress
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, not_allowed, quoted, reason_of
-
-if TYPE_CHECKING:
-    from collections.abc import Generator, Iterable, Sequence
 
 LARGEST_RECORD = 2**28
 """Largest file of a record [bytes]: twenty million samples of a dozen characters."""

@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 import multiprocessing
+from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import say
+from stayput.catalogue import Language, say
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator
-
     from rich.progress import Progress, Task
     from rich.text import Text
-
-    from stayput.catalogue import Language
 
 _language: ContextVar[Language] = ContextVar("_language", default="en")
 

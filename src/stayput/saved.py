@@ -14,25 +14,22 @@ import json
 import math
 import re
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Generator, Mapping
 from contextlib import contextmanager
 from enum import Enum
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar, cast, runtime_checkable
+from typing import TYPE_CHECKING, Any, Protocol, Self, TypeVar, cast, runtime_checkable
 
 import numpy as np
+from numpy.typing import NDArray
 
 import stayput
 from stayput.errors import InputError, instance_of, reason_of
 from stayput.files import check_target, draft
 
 if TYPE_CHECKING:
-    from collections.abc import Generator
-    from typing import Self
-
     import xarray as xr
-    from numpy.typing import NDArray
 
 T = TypeVar("T")
 

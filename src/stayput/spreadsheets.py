@@ -5,12 +5,9 @@ from __future__ import annotations
 import csv
 import io
 import re
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Sequence
 
 from stayput.errors import InputError, excerpt
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
 
 CSV_ENCODING = "utf-8-sig"
 """Encoding of the CSV files that people open: by its byte order mark Excel tells that they are UTF-8."""

@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 import unicodedata
-from typing import TYPE_CHECKING, TypeVar
+from collections.abc import Collection, Iterable, Mapping
+from typing import TypeVar
 
-from stayput.catalogue import names
+from stayput.catalogue import Phrase, names
 from stayput.errors import unknown
-
-if TYPE_CHECKING:
-    from collections.abc import Collection, Iterable, Mapping
-
-    from stayput.catalogue import Phrase
 
 Said = TypeVar("Said")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from dataclasses import fields
 from typing import TYPE_CHECKING, Any
 
@@ -9,8 +10,6 @@ from stayput.catalogue import LANGUAGES, Phrase, phrase, say
 from stayput.errors import word_of
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
-
     from stayput.model.room import Room
 
 FAR = 3.0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import asdict, replace
 from functools import partial
 from pathlib import Path
@@ -14,7 +15,7 @@ from starlette.responses import Response
 import stayput
 from stayput.app import requests  # noqa: TC001 - FastAPI reads the annotations
 from stayput.app.downloads import KINDS, attachment, film, report_page, run_csv, scene_toml
-from stayput.app.jobs import StoppedError, Turn
+from stayput.app.jobs import Job, StoppedError, Turn
 from stayput.app.motions import MotionReply, PreviewReply
 from stayput.app.presets import PresetsReply, presets
 from stayput.app.refusals import RefusedError
@@ -27,20 +28,15 @@ from stayput.errors import InputError
 from stayput.report.room.card import plan_html
 from stayput.rooms.decisions import changes_between
 from stayput.rooms.planning import action_plan
-from stayput.rooms.steps import Home
+from stayput.rooms.steps import ActionPlan, Home
 from stayput.scenario.toml import table_of_toml
 from stayput.spreadsheets import CSV_ENCODING
-from stayput.verification import verify
+from stayput.verification import Verdict, verify
 from stayput.verification.compare import LEVELS
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from stayput.app.jobs import Job
     from stayput.execution import Stop
-    from stayput.rooms.steps import ActionPlan
     from stayput.scenario import Scenario
-    from stayput.verification import Verdict
 
 ComponentQuery = Annotated[str | None, Query(max_length=60, description="Channel that is to be x.")]
 

@@ -7,11 +7,13 @@ import io
 import shutil
 import tempfile
 import threading
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 from starlette.responses import Response
 
 from stayput.app.middleware import REPORT_POLICY
@@ -19,14 +21,9 @@ from stayput.app.refusals import refused
 from stayput.app.running import own_measures, runs_of
 from stayput.report.animation import animate_run
 from stayput.report.names import names_of
-from stayput.scenario import Scenario
 from stayput.scenario.shaking import RECORD_FILES
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from numpy.typing import NDArray
-
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
     from stayput.catalogue import Language

@@ -13,6 +13,7 @@ import secrets
 import threading
 import time
 from collections import Counter
+from collections.abc import Callable, Collection
 from concurrent.futures import ThreadPoolExecutor
 from contextvars import ContextVar
 from dataclasses import dataclass, field
@@ -24,8 +25,6 @@ from stayput.errors import InputError
 from stayput.execution import Stop
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection
-
     from stayput.app.limits import Limits
     from stayput.scenario import Scenario
     from stayput.verification import Verdict

@@ -16,7 +16,9 @@ import subprocess
 import sys
 import threading
 import time
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -26,19 +28,14 @@ from stayput.app.jobs import CLIENT, Client, Workers, first_to_go
 from stayput.app.reader import ReadingResult, ReadingTask
 from stayput.app.refusals import RefusedError, problem, refused
 from stayput.app.replies import Problem, Reply
-from stayput.app.requests import ID
-from stayput.errors import InputError
+from stayput.app.requests import ID, Upload
+from stayput.errors import InputError, InputWarning
 from stayput.motion.floors import upper_floor
 from stayput.motion.intensity import EXCEEDED, intensity_class
 from stayput.report.summary import number
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-    from pathlib import Path
-
     from stayput.app.limits import Limits
-    from stayput.app.requests import Upload
-    from stayput.errors import InputWarning
     from stayput.motion.record import Motion
 
 MOST_INTERVALS = 1000

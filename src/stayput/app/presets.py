@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import MISSING
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -12,11 +13,11 @@ import stayput
 from stayput.app.downloads import film_kinds
 from stayput.app.replies import Reply, TwoNumbers, Words
 from stayput.building.building import STOREY_HEIGHT, STRUCTURES
-from stayput.catalogue import names, phrase
+from stayput.catalogue import Phrase, names, phrase
 from stayput.errors import InputError
 from stayput.everyday import PRESET_DRAWERS, Everyday
-from stayput.measures import MEASURES, hold, parameters
-from stayput.model.body import FURNITURE, Body, Part
+from stayput.measures import MEASURES, Measure, Parameter, hold, parameters
+from stayput.model.body import FURNITURE, Body, Part, Preset
 from stayput.model.floor_plan import PLACES, Door, FloorPlan, PersonPlace, Window
 from stayput.model.parameters import parameter_of
 from stayput.model.parameters import parameters as parameters_of
@@ -33,12 +34,7 @@ from stayput.motion.suites.synthesis import synthetic_suite
 from stayput.verification.options import USUAL
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from stayput.app.limits import Limits
-    from stayput.catalogue import Phrase
-    from stayput.measures import Measure, Parameter
-    from stayput.model.body import Preset
 
 SHELVES = 5
 """Shelves that a bookcase is drawn with."""

@@ -3,22 +3,18 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Generator, Mapping
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from starlette.exceptions import HTTPException
 from starlette.responses import Response
 
 from stayput.app.replies import Problem
 from stayput.catalogue import phrase
-from stayput.errors import LONGEST_SENTENCE, InputError, warnings_to
+from stayput.errors import LONGEST_SENTENCE, InputError, InputWarning, warnings_to
 from stayput.motion.units import known_unit
 from stayput.scenario.messages import shown
-
-if TYPE_CHECKING:
-    from collections.abc import Generator, Mapping
-
-    from stayput.errors import InputWarning
 
 ALLOWED = {
     "bool": "scenario.true_or_false",

@@ -4,21 +4,17 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Callable
 from functools import cache
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
+from fastapi import FastAPI, UploadFile
 from fastapi import Path as InPath
-from fastapi import UploadFile
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, WithJsonSchema
 
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.scenario import Scenario
 from stayput.scenario.measures import MeasureTable, SingleChoice
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from fastapi import FastAPI
 
 STANDS_FOR = "x-stands-for"
 """Mark, in a schema, of what stands in the description of the API under a name of its own."""

@@ -7,12 +7,13 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import Field
 
 from stayput.app.motions import class_of, intensity_of
 from stayput.app.refusals import RefusedError, refused
 from stayput.app.replies import Reply, TwoNumbers, Words
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.catalogue.names import ANY_PIECE
 from stayput.errors import InputError
 from stayput.model.room import WALLS_AROUND
@@ -30,9 +31,6 @@ from stayput.verification.events import happens_in
 from stayput.verification.words import class_phrase
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from stayput.catalogue import Phrase
     from stayput.measures import Measure
     from stayput.measures.element import DeviceResult
     from stayput.motion.record import Motion

@@ -5,25 +5,22 @@ from __future__ import annotations
 import json
 import math
 import re
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, cast
 
 from stayput.app.refusals import RefusedError, refused
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError
 from stayput.model.parameters import parameter_of
 from stayput.motion.synthetic import sine
 from stayput.scenario import Scenario
 from stayput.scenario.option import YOURS
-from stayput.scenario.shaking import RECORD_FILES, SuiteTable
+from stayput.scenario.shaking import RECORD_FILES, ShakingTable, SuiteTable
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
-    from stayput.catalogue import Phrase
-    from stayput.scenario.shaking import ShakingTable
 
 TABLES = frozenset(field.alias or name for name, field in Scenario.model_fields.items())
 """Keys of a scene."""

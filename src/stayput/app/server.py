@@ -13,6 +13,7 @@ import threading
 import time
 import warnings
 import webbrowser
+from collections.abc import AsyncGenerator, Awaitable, Callable, Sequence
 from contextlib import asynccontextmanager, suppress
 from functools import cache
 from importlib import resources
@@ -37,7 +38,7 @@ from stayput.app.refusals import RefusedError, error_response, refusal_of_reques
 from stayput.app.requests import described
 from stayput.app.running import simulated
 from stayput.app.service import Service
-from stayput.catalogue import LANGUAGES, TEXTS, earthquake, page, phrase, room_page, say
+from stayput.catalogue import LANGUAGES, TEXTS, Language, earthquake, page, phrase, room_page, say
 from stayput.errors import InputError, InputWarning, reason_of
 from stayput.report.page import inks_css
 from stayput.scenario import Scenario
@@ -45,12 +46,8 @@ from stayput.scenario.option import YOURS
 from stayput.verification import verify
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncGenerator, Awaitable, Callable, Sequence
-
     from starlette.requests import Request
     from starlette.types import Scope
-
-    from stayput.catalogue import Language
 
 
 FOLDERS = {

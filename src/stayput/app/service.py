@@ -4,30 +4,27 @@ from __future__ import annotations
 
 import asyncio
 import tempfile
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from starlette.responses import Response
 
-from stayput.app.jobs import Jobs, StoppedError, Turns, Workers
+from stayput.app.jobs import Job, Jobs, StoppedError, Turns, Workers
 from stayput.app.motions import Motions, Readers
 from stayput.app.refusals import RefusedError, refused
 from stayput.app.replies import Problem, Reply
 from stayput.app.scenes import read_scene, short_enough, unchanged, uploaded_motions
-from stayput.app.verification import job_reply
+from stayput.app.verification import JobReply, job_reply
 from stayput.catalogue import phrase
 from stayput.execution import Stop
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
     from starlette.requests import Request
 
-    from stayput.app.jobs import Job
     from stayput.app.limits import Limits
     from stayput.app.requests import VerificationRequest
-    from stayput.app.verification import JobReply
     from stayput.scenario import Scenario
     from stayput.verification import Verdict
 

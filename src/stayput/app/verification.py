@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import base64
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import ConfigDict, Field
 
 from stayput.app.refusals import problem
@@ -13,7 +15,7 @@ from stayput.app.replies import Problem, Reply, Words
 from stayput.app.running import own_measures
 from stayput.app.scenes import motions_of, refusal, too_many
 from stayput.errors import InputError
-from stayput.fragility.curve import METHOD, CurveState
+from stayput.fragility.curve import METHOD, CurveState, FragilityCurve
 from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures import hold
 from stayput.report.summary import by_language
@@ -31,13 +33,8 @@ from stayput.verification.room_words import tags
 from stayput.verification.words import asides
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from numpy.typing import NDArray
-
     from stayput.app.jobs import Job
     from stayput.app.limits import Limits
-    from stayput.fragility.curve import FragilityCurve
     from stayput.verification import Verdict
     from stayput.verification.verdict import OptionVerdict
 

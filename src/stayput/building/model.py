@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from numbers import Real
 from typing import TYPE_CHECKING, TypeVar, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.building.modes import Modes, natural_modes
 from stayput.building.response import FloorPeaks, FloorResponse
@@ -22,10 +24,7 @@ from stayput.motion.suites.suite import Suite
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator, Sequence
-
     from matplotlib.axes import Axes
-    from numpy.typing import NDArray
 
     from stayput.building.superposition import Histories
 

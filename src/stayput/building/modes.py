@@ -7,12 +7,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, cast
+from typing import cast
 
 import numpy as np
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from numpy.typing import NDArray
 
 STEPS_IN_A_PERIOD = 10.0
 """Fewest steps in a period of the modes that matter; lines through such samples of a sine cut off ≤ 5 %."""

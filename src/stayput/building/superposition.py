@@ -24,10 +24,12 @@ that p is linear over a sub-step. Without yielding it is the linear building.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.building.modes import parts_of_step
 from stayput.compiling import entry, inline, inner
@@ -37,10 +39,6 @@ from stayput.motion.oscillator import step_coefficients
 from stayput.motion.processing import refine
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from numpy.typing import NDArray
-
     from stayput.building.model import ShearModel
 
 STEP_ROWS = 10

@@ -8,12 +8,10 @@ only.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from importlib import import_module
 from pkgutil import iter_modules
-from typing import TYPE_CHECKING, Literal, TypeGuard
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
+from typing import Literal, TypeGuard
 
 Language = Literal["en", "ja"]
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Generator, Mapping, Sequence
+from concurrent.futures import Executor
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -16,9 +18,6 @@ from stayput.errors import InputError, absent
 from stayput.progress import language_of_bars
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Mapping, Sequence
-    from concurrent.futures import Executor
-
     from stayput.inventory import Assessment
     from stayput.inventory.scenarios import ScenarioFile
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import os
 import re
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from functools import wraps
 from pathlib import Path
 from pkgutil import resolve_name
@@ -21,8 +22,6 @@ from stayput.progress import keep_quiet
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Container, Iterator, Mapping, Sequence
-
     from stayput.measures import Measure
     from stayput.motion.record import Motion
     from stayput.scenario import Scenario

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, cast
+from collections.abc import Iterable, Sequence
+from typing import Any, cast
 
 from typer.core import TyperCommand, TyperGroup
 
-from stayput.catalogue import TEXTS, say
+from stayput.catalogue import TEXTS, Language, say
 from stayput.cli.messages import CommandGroup, folded
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-
-    from stayput.catalogue import Language
 
 _BETWEEN = 2
 """Cells between a name and its text."""

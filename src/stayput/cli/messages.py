@@ -9,26 +9,23 @@ import locale
 import os
 import re
 import sys
+from collections.abc import Callable, Generator, Iterable, Sequence
 from contextlib import contextmanager, suppress
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import typer
 from typer.core import TyperGroup
 
-from stayput.catalogue import phrase, say
+from stayput.catalogue import Language, Phrase, phrase, say
 from stayput.cli.interrupts import INTERRUPTED
 from stayput.cli.streams import closed_output, is_stream, standard_input
 from stayput.errors import InputError, InputWarning, quoted, reason_of, warnings_to
 from stayput.progress import is_drawn, is_quiet, keep_quiet, language_of_bars, told_in
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Iterable, Sequence
-    from pathlib import Path
-
     from rich.console import Console
     from rich.table import Table
-
-    from stayput.catalogue import Language, Phrase
 
 Told = TypeVar("Told", InputError, InputWarning)
 

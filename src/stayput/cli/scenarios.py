@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Generator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import asdict
-from pathlib import Path  # noqa: TC003 - Typer reads the annotations
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -29,8 +30,6 @@ from stayput.progress import bar, is_drawn
 from stayput.spreadsheets import CSV_ENCODING
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Sequence
-
     from stayput.fragility.intensity_measures import IntensityMeasure
     from stayput.report.animation import Progress
     from stayput.scenario import Scenario

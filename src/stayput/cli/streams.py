@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Generator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from contextvars import ContextVar
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Any, BinaryIO, TextIO
+from typing import Any, BinaryIO, TextIO
 
 import typer
 
@@ -16,9 +17,6 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError, reason_of
 from stayput.files import check_target, draft
 from stayput.progress import language_of_bars
-
-if TYPE_CHECKING:
-    from collections.abc import Generator, Mapping, Sequence
 
 STREAM = "-"
 """What is typed in the place of a file's name."""

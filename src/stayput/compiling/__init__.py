@@ -21,21 +21,19 @@ from __future__ import annotations
 import ctypes
 import logging
 import threading
+from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.errors import InputError
 from stayput.progress import bar
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator
-
-    from numpy.typing import NDArray
-
     from stayput.compiling.machine_code import MachineCode
 
 P = ParamSpec("P")

@@ -15,8 +15,9 @@ comment names.
 from __future__ import annotations
 
 import gc
+from collections.abc import Callable, Generator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import llvmlite.binding
 import numba
@@ -28,9 +29,6 @@ from numba.core.compiler_machinery import LoweringPass, PassManager, register_pa
 
 from stayput.compiling.machine_code import uninterrupted
 from stayput.errors import InputError
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Generator
 
 # these have no types, or too few
 llvm: Any = llvmlite.binding

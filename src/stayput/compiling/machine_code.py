@@ -15,18 +15,16 @@ import secrets
 import stat
 import sys
 import tempfile
+from collections.abc import Callable, Generator, Iterable
 from concurrent.futures import Future
 from contextlib import suppress
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
 from threading import Lock, Thread
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 import llvmlite.binding
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Iterable
 
 llvm: Any = llvmlite.binding  # it has no types
 _LOG = logging.getLogger("stayput")

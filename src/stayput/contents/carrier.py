@@ -30,6 +30,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.mechanics import columns as col
 from stayput.mechanics.runner import Shaking, shaking, trace
@@ -37,8 +38,6 @@ from stayput.motion.processing import refine
 from stayput.simulation.outcome import Outcome
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from stayput.simulation.space import Trace
     from stayput.simulation.space_engine import SpaceShaking
 

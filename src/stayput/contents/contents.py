@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, list_of, within
 from stayput.measures.place import with_mass
-from stayput.model.body import MASS_RANGE, SIZE_RANGE
+from stayput.model.body import MASS_RANGE, SIZE_RANGE, Body
 from stayput.model.parameters import check_fields, choice, other_default, parameter, parameter_of, quantity
 from stayput.model.room import FRICTION_RANGE
 from stayput.vocabulary import preset_meant
-
-if TYPE_CHECKING:
-    from stayput.model.body import Body
 
 _SIZE = ("m", *SIZE_RANGE)
 

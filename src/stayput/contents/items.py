@@ -18,27 +18,23 @@ opened stays open.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.mechanics import columns as col
-from stayput.mechanics.runner import run_cases
+from stayput.mechanics.runner import Shaking, run_cases
 from stayput.model.body import Body
-from stayput.model.flat_fields import case_columns, case_rows, flat_fields
+from stayput.model.flat_fields import NumberOrColumn, case_columns, case_rows, flat_fields
 from stayput.model.room import Floor, Room, Wall
 from stayput.model.state import State
 from stayput.uncertainty import Lognormal, Uncertainty
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from numpy.typing import NDArray
-
     from stayput.contents.carrier import PointMotion
     from stayput.contents.contents import Contents
-    from stayput.mechanics.runner import Shaking
-    from stayput.model.flat_fields import NumberOrColumn
 
 DRAWN = Uncertainty(
     {"friction": Lognormal(1.0, 0.2, low=0.3, high=3.0), "height": Lognormal(1.0, 0.15, low=0.5, high=1.5)}

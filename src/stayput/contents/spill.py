@@ -7,10 +7,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
-from stayput.contents.carrier import STEP, Carrier, parts
+from stayput.contents.carrier import STEP, Carrier, PointMotion, parts
 from stayput.contents.contents import STOPPED, Contents
 from stayput.contents.items import (
+    Items,
     items_of,
     opening_samples,
     out_of_shelf,
@@ -21,7 +23,7 @@ from stayput.contents.items import (
 from stayput.errors import InputError, instance_of, not_allowed, whole_within
 from stayput.measures import element_rows, hold
 from stayput.mechanics import columns as col
-from stayput.mechanics.runner import run_cases, shaking, trace
+from stayput.mechanics.runner import Shaking, Traced, run_cases, shaking, trace
 from stayput.model.flat_fields import case_columns
 from stayput.model.state import State
 from stayput.simulation.case import Case, scene_of
@@ -29,11 +31,6 @@ from stayput.simulation.many import plane_shaking
 from stayput.simulation.run import Run
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from stayput.contents.carrier import PointMotion
-    from stayput.contents.items import Items
-    from stayput.mechanics.runner import Shaking, Traced
     from stayput.model.body import Body
 
 

@@ -8,8 +8,9 @@ from enum import StrEnum
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import instance_of, within
 from stayput.fragility.lognormal import LognormalFit, lognormal
 from stayput.fragility.trials import Isotonic, Level, Trials, observed_levels
@@ -18,9 +19,7 @@ from stayput.wording import check_language, counted
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from numpy.typing import ArrayLike, NDArray
 
-    from stayput.catalogue import Phrase
     from stayput.fragility.intensity_measures import IntensityMeasure
 
 METHOD = "isotonic"

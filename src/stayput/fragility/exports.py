@@ -20,6 +20,8 @@ import io
 import math
 import re
 import xml.etree.ElementTree as ET
+from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -32,9 +34,6 @@ from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY, MMI, 
 from stayput.model.parameters import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-    from pathlib import Path
-
     from stayput.fragility.intensity_measures import IntensityMeasure
     from stayput.fragility.lognormal import LognormalFit
 

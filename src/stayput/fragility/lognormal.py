@@ -16,15 +16,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 from scipy.special import chdtrc, fdtrc, log_ndtr, ndtr, ndtri
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.fragility.probabilities import percent
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
-
-    from stayput.catalogue import Phrase
     from stayput.fragility.intensity_measures import IntensityMeasure
     from stayput.fragility.trials import Level, Trials
 

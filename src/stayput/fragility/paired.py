@@ -15,22 +15,16 @@ the same runs.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtri
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import not_allowed
 from stayput.fragility.probabilities import CONFIDENCE, checked_runs, design_effect, percent, student
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from numpy.typing import ArrayLike, NDArray
-
-    from stayput.catalogue import Phrase
 
 _WEIGHT = 0.2
 """Weight, in pairs, of each of the two motions that are added before the design effect is estimated.

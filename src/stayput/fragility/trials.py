@@ -14,19 +14,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtr, ndtri
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, not_allowed, numbers
 from stayput.fragility.intensity_measures import IntensityMeasure
 from stayput.fragility.probabilities import Probability, checked_runs, probability_of_counts
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
-
 
 _JUMP = 0.5
 """Rise of the share from one level to the next above which nothing is said of what lies between."""

@@ -6,14 +6,16 @@ import hashlib
 import json
 import re
 import time
+from collections.abc import Generator, Mapping, Sequence
+from concurrent.futures import Executor
 from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import stayput
-from stayput.catalogue import phrase
+from stayput.catalogue import Language, phrase
 from stayput.errors import InputError, instance_of, not_allowed, reason_of, within
 from stayput.execution import Pool
 from stayput.extras import arrow
@@ -22,22 +24,14 @@ from stayput.inventory.folder import MANIFEST, PLAN, called, check_parts, claime
 from stayput.inventory.plan import make_plan
 from stayput.inventory.report import report_html
 from stayput.inventory.results import PIECES, part_names, write_results
-from stayput.inventory.scenarios import ScenarioFile, read_scenarios
+from stayput.inventory.scenarios import Changed, ScenarioFile, read_scenarios
 from stayput.inventory.shakemap_files import read_shakemap
 from stayput.inventory.store import Store
-from stayput.inventory.summary import REJECTS, export_results, formats_of, summarise, write_rejects
+from stayput.inventory.summary import REJECTS, Summary, export_results, formats_of, summarise, write_rejects
 from stayput.inventory.work import Work
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.progress import bar
 from stayput.report.summary import attributes
-
-if TYPE_CHECKING:
-    from collections.abc import Generator, Mapping, Sequence
-    from concurrent.futures import Executor
-
-    from stayput.catalogue import Language
-    from stayput.inventory.scenarios import Changed
-    from stayput.inventory.summary import Summary
 
 MEMORY = 2 * 2**30
 """Memory that an assessment keeps below [bytes]."""

@@ -8,16 +8,12 @@ import unicodedata
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, has_control, not_allowed, too_many
-from stayput.inventory.columns import UNITS
+from stayput.inventory.columns import UNITS, NumberUnit
 from stayput.vocabulary import LONGEST_WORD, WORDS, plain_word
-
-if TYPE_CHECKING:
-    from stayput.catalogue import Phrase
-    from stayput.inventory.columns import NumberUnit
 
 LONGEST = 1000
 """Most characters of a cell."""

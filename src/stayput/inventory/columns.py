@@ -10,19 +10,16 @@ from __future__ import annotations
 import json
 import re
 import unicodedata
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, cast
+from typing import Any, NamedTuple, cast
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, not_allowed, quoted, shown, unknown
 from stayput.inventory.folder import unreadable
 from stayput.scenario.toml import read_toml
 from stayput.spreadsheets import named_columns
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 
 class NumberUnit(NamedTuple):

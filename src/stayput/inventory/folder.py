@@ -11,18 +11,14 @@ import itertools
 import json
 import os
 import re
+from collections.abc import Generator, Iterator, Mapping
 from contextlib import contextmanager
-from typing import IO, TYPE_CHECKING, Any, cast
+from pathlib import Path
+from typing import IO, Any, cast
 
 import stayput
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, not_allowed, reason_of
-
-if TYPE_CHECKING:
-    from collections.abc import Generator, Iterator, Mapping
-    from pathlib import Path
-
-    from stayput.catalogue import Phrase
 
 FORMAT = 10
 """Changes with the files' layout or meaning."""

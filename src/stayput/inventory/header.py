@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Sequence
 from contextlib import suppress
 from difflib import get_close_matches
 from functools import partial
-from typing import TYPE_CHECKING
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, unknown
 from stayput.inventory.cells import (
+    Cell,
+    CellReader,
     in_own_unit,
     is_empty,
     number_of,
@@ -33,18 +35,12 @@ from stayput.inventory.columns import (
     UNITS,
     WIDTHS,
     ColumnMapping,
+    NumberUnit,
     header_name,
     is_heading,
     plain_name,
 )
 from stayput.vocabulary import WORDS, meant
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from stayput.catalogue import Phrase
-    from stayput.inventory.cells import Cell, CellReader
-    from stayput.inventory.columns import NumberUnit
 
 LIKENESS = 0.8
 """From this likeness on a column counts as a misspelt one."""

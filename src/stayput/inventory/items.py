@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Hashable, Mapping
 from copy import copy
 from dataclasses import dataclass, replace
 from functools import partial
@@ -10,11 +11,12 @@ from typing import TYPE_CHECKING, Any
 from cachetools import LRUCache
 from pydantic import ValidationError
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.contents.contents import Contents, emptied
 from stayput.errors import InputError, not_allowed, too_many, unknown, visible, whole_within, within
 from stayput.inventory.cells import (
     ROOF,
+    Cell,
     Unusable,
     is_empty,
     number_of,
@@ -25,25 +27,18 @@ from stayput.inventory.cells import (
     text_of,
 )
 from stayput.inventory.columns import TOTAL_ROW, plain_name
-from stayput.inventory.scenarios import stated_building
+from stayput.inventory.scenarios import Scenarios, stated_building
 from stayput.inventory.store import ground_spec
-from stayput.measures import MEASURES, hold
+from stayput.measures import MEASURES, Measure, hold
 from stayput.measures.measure import refuse_conflicts
-from stayput.model.room import WALLS, Floor, Wall
+from stayput.model.room import WALLS, Floor, Room, Wall
 from stayput.model.state import State, refuse_bad_start
 from stayput.saved import to_text
 from stayput.scenario import Scenario
 from stayput.scenario.pieces import PieceTable
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Hashable, Mapping
-
-    from stayput.catalogue import Phrase
-    from stayput.inventory.cells import Cell
-    from stayput.inventory.scenarios import Scenarios
-    from stayput.measures import Measure
     from stayput.model.body import Body
-    from stayput.model.room import Room
     from stayput.scenario.tables import BuildingTable
 
 MOST_CACHED = 100_000

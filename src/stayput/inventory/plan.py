@@ -4,27 +4,23 @@ from __future__ import annotations
 
 import sqlite3
 from collections import Counter
+from collections.abc import Callable, Sequence
 from contextlib import closing, suppress
 from itertools import chain, islice
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from stayput.catalogue import is_phrase, phrase
 from stayput.errors import InputError, excerpt, not_allowed, quoted
-from stayput.inventory.cells import Unusable, is_empty
-from stayput.inventory.columns import COLUMNS, JAPANESE
-from stayput.inventory.folder import PLAN
+from stayput.inventory.cells import Cell, Unusable, is_empty
+from stayput.inventory.columns import COLUMNS, JAPANESE, ColumnMapping
+from stayput.inventory.folder import PLAN, Workspace
 from stayput.inventory.header import Header
 from stayput.inventory.items import SIZES, RowReader, name_of, numbered
 from stayput.inventory.store import Store
 from stayput.inventory.tables import open_table
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-    from pathlib import Path
-
-    from stayput.inventory.cells import Cell
-    from stayput.inventory.columns import ColumnMapping
-    from stayput.inventory.folder import Workspace
     from stayput.inventory.scenarios import Scenarios
 
 ROWS_PER_PART = 20_000

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, cast
 
-from stayput.catalogue import LANGUAGES, is_phrase, phrase
+from stayput.catalogue import LANGUAGES, Language, Phrase, is_phrase, phrase
 from stayput.fragility.probabilities import percent
 from stayput.inventory.items import NO_MEASURE
 from stayput.inventory.results import Finding, least_motions
@@ -20,9 +21,6 @@ from stayput.verification.words import SAFE
 from stayput.wording import counted, joined
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Mapping, Sequence
-
-    from stayput.catalogue import Language, Phrase
     from stayput.inventory.summary import Summary, Total
 
 _SHEET = re.compile(r"sheet (?P<name>'.*?')(?:; not (?P<others>.*))?")

@@ -5,30 +5,26 @@ from __future__ import annotations
 import hashlib
 import io
 import itertools
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cache
+from pathlib import Path
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.extras import arrow
-from stayput.fragility.paired import difference, score_interval
+from stayput.fragility.paired import Difference, difference, score_interval
 from stayput.fragility.probabilities import CONFIDENCE, probability_of_counts
-from stayput.inventory.folder import digest_of
+from stayput.inventory.folder import Workspace, digest_of
 from stayput.inventory.items import NO_MEASURE
 from stayput.montecarlo.counting import EVENTS, OVERTURNED, RANKING_ORDER, SLID, severity
 from stayput.verification.words import SAFE, SMALL
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-    from pathlib import Path
-
-    from numpy.typing import NDArray
-
-    from stayput.fragility.paired import Difference
-    from stayput.inventory.folder import Workspace
     from stayput.inventory.work import Work
 
 PIECES = "pieces"

@@ -6,6 +6,7 @@ import hashlib
 import json
 import re
 import unicodedata
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -16,8 +17,8 @@ from pydantic import ValidationError
 from stayput.building.building import STRUCTURES
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, not_allowed, shown, warn
-from stayput.fragility.intensity_measures import JMA_INTENSITY
-from stayput.inventory.shakemap import distances
+from stayput.fragility.intensity_measures import JMA_INTENSITY, IntensityMeasure
+from stayput.inventory.shakemap import GroundLevel, ShakeMap, distances
 from stayput.motion.floors import of_the_ground
 from stayput.scenario import Scenario
 from stayput.scenario.fields import Table, Text, between
@@ -26,14 +27,10 @@ from stayput.scenario.toml import read_toml
 from stayput.vocabulary import meant
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
-
-    from stayput.fragility.intensity_measures import IntensityMeasure
-    from stayput.inventory.shakemap import GroundLevel, ShakeMap
     from stayput.motion.suites.suite import Suite
     from stayput.scenario.tables import BuildingTable
 
-    Changed = Callable[[Mapping[str, Any], Path], Mapping[str, Any]]
+Changed = Callable[[Mapping[str, Any], Path], Mapping[str, Any]]
 
 ANY_FURNITURE: dict[str, Any] = {"preset": "chest"}
 """Placeholder for the furniture of a scenario that leaves it to the inventory."""

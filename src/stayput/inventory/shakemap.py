@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, unknown, within
 from stayput.fragility.intensity_measures import JMA_INTENSITY, PERIODS, PGA, PGV, spectral_acceleration
 from stayput.model.parameters import STANDARD_GRAVITY
@@ -19,9 +20,6 @@ from stayput.motion.response import DAMPING
 from stayput.motion.units import unit_factor
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
-
-    from stayput.catalogue import Phrase
     from stayput.fragility.intensity_measures import IntensityMeasure
 
 SCATTER_STEPS = 100

@@ -5,26 +5,21 @@ from __future__ import annotations
 import csv
 import io
 import re
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, not_allowed, quoted, unknown, warn, within
 from stayput.inventory.columns import header_name
 from stayput.inventory.folder import unreadable
-from stayput.inventory.shakemap import ShakeMap, field_of, field_of_grid, unwrapped
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-    from pathlib import Path
-
-    from numpy.typing import NDArray
-
-    from stayput.inventory.shakemap import MapField
+from stayput.inventory.shakemap import MapField, ShakeMap, field_of, field_of_grid, unwrapped
 
 PLACE = ("lat", "lon")
 LIMITS = ((-90.0, 90.0, "°"), (-180.0, 360.0, "°"))

@@ -11,22 +11,20 @@ import hashlib
 import json
 import sqlite3
 import zlib
+from collections.abc import Hashable, Iterable, Iterator, Mapping
 from contextlib import closing
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from cachetools import FIFOCache
+from numpy.typing import NDArray
 
 from stayput.montecarlo.counting import EVENTS
 from stayput.saved import from_text, to_text
 from stayput.scenario.tables import BuildingTable
 
 if TYPE_CHECKING:
-    from collections.abc import Hashable, Iterable, Iterator, Mapping
-    from pathlib import Path
-
-    from numpy.typing import NDArray
-
     from stayput.inventory.shakemap import GroundLevel
 
 MOST_CACHED = 800_000

@@ -12,8 +12,10 @@ import io
 import json
 import math
 from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import chain, islice
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from stayput.errors import unknown
@@ -24,9 +26,6 @@ from stayput.spreadsheets import CSV_ENCODING, harmless
 from stayput.verification.words import SAFE, SMALL
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
-    from pathlib import Path
-
     from stayput.inventory.folder import Workspace
     from stayput.inventory.store import Store
 

@@ -6,26 +6,22 @@ import codecs
 import csv
 import re
 import warnings
+from collections.abc import Callable, Generator, Iterator
 from contextlib import AbstractContextManager, ExitStack, closing, contextmanager
 from dataclasses import dataclass
 from datetime import date, time
 from decimal import Decimal
 from functools import lru_cache
 from itertools import count
-from typing import TYPE_CHECKING, Any, TextIO, cast
+from pathlib import Path
+from typing import Any, TextIO, cast
 from xml.etree.ElementTree import iterparse
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, absent, not_allowed
 from stayput.extras import arrow
-from stayput.inventory.cells import Unusable
+from stayput.inventory.cells import Cell, Unusable
 from stayput.inventory.folder import unreadable
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Iterator
-    from pathlib import Path
-
-    from stayput.inventory.cells import Cell
 
 ENCODINGS = ("utf-8-sig", "cp932")
 """Encodings of a text without a byte order mark of UTF-16: the first in which all of it can be decoded is

@@ -6,41 +6,36 @@ A unit is a piece with a set of measures on a floor, under all motions and all d
 from __future__ import annotations
 
 import time
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from functools import lru_cache, partial
+from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.errors import InputError
-from stayput.execution import Shared
+from stayput.execution import Pool, Shared
 from stayput.fragility.intensity_measures import JMA_INTENSITY, PGA, PGV
 from stayput.inventory.folder import OUTCOMES
 from stayput.inventory.results import GROUND
 from stayput.inventory.shakemap import GroundLevel
-from stayput.inventory.store import OutcomeStore, ground_of, record_type
+from stayput.inventory.store import OutcomeStore, Store, ground_of, record_type
 from stayput.montecarlo.counting import OVERTURNED, Outcomes, Quantiles
 from stayput.montecarlo.hazard import Ground, PreparedFloor
 from stayput.montecarlo.runs import run_prepared
-from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
+from stayput.montecarlo.sampling import DrawTable, Rows, Settings, draws, rows_of, sample_until_precise
 from stayput.saved import from_text
 from stayput.verification.contents import first_draws, share_out, spilt_under
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
-    from pathlib import Path
-
-    from numpy.typing import NDArray
-
     from stayput.contents.contents import Contents
-    from stayput.execution import Pool
     from stayput.inventory.scenarios import Scenarios
-    from stayput.inventory.store import Store
     from stayput.measures import Measure
     from stayput.model.body import Body
     from stayput.model.room import Room
-    from stayput.montecarlo.sampling import DrawTable, Rows
     from stayput.scenario.tables import BuildingTable
 
 SECONDS = 1.0

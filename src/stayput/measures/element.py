@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.catalogue import Phrase, phrase
 from stayput.mechanics.devices.columns import (
@@ -27,8 +28,6 @@ from stayput.mechanics.devices.columns import (
 from stayput.model.state import State, standing_corners
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from stayput.measures.measure import Held
     from stayput.model.body import Body
 

@@ -13,14 +13,13 @@ shear that of Eurocode 5 for a thin steel plate on wood (8.2.3, recalled and not
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from stayput.uncertainty import Confidence
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from stayput.catalogue import Phrase
 
 FIELD = "common knowledge of the field, not checked again"

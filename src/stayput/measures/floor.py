@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields, replace
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import within
@@ -13,8 +13,6 @@ from stayput.model.parameters import parameter
 from stayput.model.room import FRICTION_RANGE, LOCKED_CASTER, SURFACES, Room
 
 if TYPE_CHECKING:
-    from typing import Any
-
     from stayput.model.body import Body
 
 SOFT = frozenset(("carpet", "tatami, along the weave", "tatami, across the weave"))

@@ -6,12 +6,14 @@ How well a result is founded is told by a grade, that of the weakest of the inpu
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from types import MappingProxyType
 from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.catalogue import TEXTS, Phrase, is_phrase, phrase
 from stayput.errors import InputError, instance_of, list_of, no_length
@@ -22,10 +24,6 @@ from stayput.model.room import Room, Wall
 from stayput.uncertainty import Confidence
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
-
-    from numpy.typing import NDArray
-
     from stayput.measures.element import Element
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
@@ -11,8 +12,6 @@ from stayput.model.room import Room, Wall
 from stayput.model.state import wall_faces
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from stayput.measures.measure import Held, Measure
     from stayput.model.body import Body
 

@@ -22,6 +22,7 @@ from stayput.measures.fixing import (
     STUD_PITCH,
     TOP_BOARDS,
     TOPS,
+    Link,
     in_series,
     panel,
 )
@@ -29,7 +30,6 @@ from stayput.measures.measure import BadlyInstalled, Held, Measure, wall_behind
 from stayput.model.parameters import choice, other_default, parameter
 
 if TYPE_CHECKING:
-    from stayput.measures.fixing import Link
     from stayput.model.body import Body
     from stayput.model.room import Room, Wall
 

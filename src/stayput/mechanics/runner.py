@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.catalogue import phrase
 from stayput.errors import not_allowed, too_many
@@ -14,11 +16,6 @@ from stayput.mechanics.devices import columns as el
 from stayput.mechanics.engine import run_batch
 from stayput.mechanics.flat import BLOCK, block_extremes
 from stayput.mechanics.records import BatchDevices, Excitation, Output, Scratch, SolverSettings
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from numpy.typing import NDArray
 
 MAX_EVENTS = 1_000_000
 """Events after which a run is stopped and reported as failed."""

@@ -19,13 +19,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.spatial import ConvexHull, QhullError
 
 from stayput.mechanics.space.columns import LINE
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from stayput.model.solid import Solid
 
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, TypeAlias
+from collections.abc import Mapping
+from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.errors import InputError, within
 from stayput.mechanics.columns import CASE
@@ -15,11 +17,6 @@ from stayput.model.parameters import GRAVITY, STANDARD_GRAVITY, Parameter, param
 from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.model.soft_base import landing_factor, narrower_base, rigid_half_base
 from stayput.model.state import State, refuse_bad_start
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from numpy.typing import NDArray
 
 NumberOrColumn: TypeAlias = "float | NDArray[np.float64]"
 

@@ -7,10 +7,12 @@ origin is the corner of the left and the near wall.
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import (
@@ -27,11 +29,6 @@ from stayput.errors import (
 from stayput.model.parameters import check_fields, choice, parameter, quantity
 from stayput.model.room import WALLS, WALLS_AROUND
 from stayput.wording import name_quoted
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-
-    from numpy.typing import NDArray
 
 ROOM_SIZE = (0.5, 30.0)
 """Least and largest side of a room [m]."""

@@ -10,19 +10,14 @@ from __future__ import annotations
 import dataclasses
 import inspect
 import re
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import MISSING, dataclass
 from functools import cache
-from typing import TYPE_CHECKING, Any, TypedDict, TypeVar, Unpack, cast
+from typing import Any, TypedDict, TypeVar, Unpack, cast
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import whole_within, within, word_of
 from stayput.uncertainty import Confidence
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Mapping
-
-    from stayput.catalogue import Phrase
-
 
 F = TypeVar("F", bound="Callable[..., Any]")
 

@@ -8,13 +8,12 @@ from itertools import combinations
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.errors import InputError
 from stayput.model.parameters import SIZE_RANGE
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from stayput.catalogue import Phrase
 
 

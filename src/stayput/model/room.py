@@ -6,8 +6,9 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import not_allowed, shown, within, word_of
 from stayput.model.parameters import check_fields, choice, parameter, quantity
 from stayput.uncertainty import Confidence
@@ -16,9 +17,7 @@ from stayput.wording import Brief, brief, check_language
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from numpy.typing import NDArray
 
-    from stayput.catalogue import Phrase
     from stayput.model.body import Body
 
 MOST_SETTLEMENT = 0.05

@@ -3,22 +3,17 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, TypedDict
+from pathlib import Path
+from typing import Any, Self, TypedDict, Unpack
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from stayput.errors import InputError, within
 from stayput.model.inertia import inertia_of, uniform_cone
 from stayput.model.polyhedron import enclosed_volume, triangulated
 from stayput.model.solid import Solid
 from stayput.model.solid_fields import checked_mass, read_convex_mesh, side
-
-if TYPE_CHECKING:
-    from pathlib import Path
-    from typing import Self, Unpack
-
-    from numpy.typing import ArrayLike, NDArray
-
 
 SIDES = 32
 """Sides of the polygons that stand for circles."""

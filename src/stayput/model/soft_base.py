@@ -21,12 +21,8 @@ energy decides over overturning is Housner's (1963); both were derived anew and 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, NDArray
 
 LEAST = 0.2
 """Part of the half base that is left at least; a floor so soft is beyond small tilts and this law."""

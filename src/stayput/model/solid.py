@@ -7,9 +7,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, fields
 from functools import lru_cache, partial
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any, cast
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from stayput.errors import no_length, too_many
 from stayput.model.inertia import inertia_of, principal_axes
@@ -32,10 +33,6 @@ from stayput.model.solid_fields import (
     checked_rims,
     read_only,
 )
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
-
 
 MOST_VERTICES = 500
 """Most corners of a body."""

@@ -6,28 +6,23 @@ import os
 from errno import ENOENT
 from io import BytesIO
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, absent, instance_of, not_allowed, reason_of, unknown, within
 from stayput.model.parameters import MASS_RANGE, SIZE_RANGE
 from stayput.model.polyhedron import (
     TOLERANCE,
+    Hull,
     check_size,
     convex_hull,
     enclosed_volume,
     size_of,
     triangulated,
 )
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
-
-    from stayput.catalogue import Phrase
-    from stayput.model.polyhedron import Hull
-
 
 MOST_FEET = 32
 """Most feet of a body."""

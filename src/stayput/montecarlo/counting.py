@@ -2,23 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from functools import lru_cache
-from typing import TYPE_CHECKING, Self
+from typing import Self
 
 import numpy as np
+from numpy.typing import NDArray
 
-from stayput.fragility.probabilities import probability_of_counts
+from stayput.fragility.probabilities import Probability, probability_of_counts
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
-from stayput.simulation.stability import ROCKS, expected
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from numpy.typing import NDArray
-
-    from stayput.fragility.probabilities import Probability
-    from stayput.simulation.stability import Stability
+from stayput.simulation.stability import ROCKS, Stability, expected
 
 OVERTURNED, SLID, HIT_WALL, DEVICE_FAILED = "overturned", "slid", "hit_wall", "device_failed"
 EVENTS = (OVERTURNED, SLID, HIT_WALL, DEVICE_FAILED)

@@ -8,11 +8,13 @@ where storeys yield it does not, and is computed anew at each level.
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.errors import InputError
 from stayput.fragility.intensity_measures import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV, IntensityMeasure
@@ -23,10 +25,6 @@ from stayput.motion.intensity import factor_to_intensity, mercalli_beyond
 from stayput.simulation.many import plane_shaking
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-
-    from numpy.typing import NDArray
-
     from stayput.mechanics.runner import Shaking
     from stayput.motion.record import Motion
     from stayput.motion.suites.suite import Suite

@@ -8,10 +8,12 @@ about equally often. `benchmarks/verification.py` counts that, and the manual ha
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.measures.element import failed, utilisation
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
@@ -20,10 +22,6 @@ from stayput.montecarlo.counting import Outcomes
 from stayput.simulation.many import run_columns, run_rows
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
-
-    from numpy.typing import NDArray
-
     from stayput.montecarlo.hazard import FloorMotions, PreparedFloor
     from stayput.montecarlo.sampling import Rows
 

@@ -7,10 +7,12 @@ between measures are not blurred by chance.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, fields, replace
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Self, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.fragility.probabilities import Probability, samples_needed
 from stayput.measures import Measure, element_rows, hold
@@ -23,11 +25,6 @@ from stayput.model.state import State
 from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
-    from typing import Self
-
-    from numpy.typing import NDArray
-
     from stayput.measures.measure import Held
     from stayput.model.room import Wall
     from stayput.montecarlo.counting import Outcomes

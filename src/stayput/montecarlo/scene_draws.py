@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -14,15 +15,12 @@ from stayput.montecarlo.sampling import AS_STATED, INSETS, Draw, drawn_body, dra
 from stayput.simulation.placing import planes_around, room_seen
 from stayput.simulation.scene import STRENGTH_RANGE, Scene
 from stayput.simulation.space_engine import SpaceShaking
-from stayput.uncertainty import QUANTITIES, Uncertainty, Uniform
+from stayput.uncertainty import QUANTITIES, Marginal, Uncertainty, Uniform
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Sequence
-
     from stayput.motion.record import Motion
     from stayput.scenario import Scenario
     from stayput.simulation.piece import Piece
-    from stayput.uncertainty import Marginal
 
 OWN = ("mass", "gravity_height", *INSETS)
 """Quantities of `Draw` that each piece has of its own; the others are the room's."""

@@ -7,11 +7,13 @@ option that leaves it as it is.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Generator, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.execution import Pool
 from stayput.measures.element import utilisation
@@ -19,21 +21,16 @@ from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import HOLDS
 from stayput.montecarlo.runs import Runs
 from stayput.montecarlo.sampling import drawn_floor
-from stayput.montecarlo.scene_draws import drawn_scene, drawn_shaking
+from stayput.montecarlo.scene_draws import DrawOfSeveral, drawn_scene, drawn_shaking
 from stayput.simulation.groups import Group, groups_at_first, run_in_groups
 from stayput.simulation.space import ENDS, names_of, results_of, run_of_trace, trace_groups, trace_together
 from stayput.simulation.space_engine import STEP, SpaceShaking
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Sequence
-
-    from numpy.typing import NDArray
-
     from stayput.catalogue import Phrase
     from stayput.model.floor_plan import FloorPlan
     from stayput.model.state import State
     from stayput.montecarlo.hazard import FloorMotions
-    from stayput.montecarlo.scene_draws import DrawOfSeveral
     from stayput.motion.record import Motion
     from stayput.simulation.run import Run
     from stayput.simulation.scene import Scene

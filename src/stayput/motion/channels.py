@@ -4,24 +4,21 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, InputWarning, excerpt, not_allowed, unknown, warn
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import BOREHOLE, floor_phrase, upper_floor
 from stayput.motion.processing import check_size
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterable, Mapping, Sequence
-
-    from numpy.typing import NDArray
-
-    from stayput.catalogue import Phrase
     from stayput.motion.record import Motion
 
 _UNNAMED = "(unnamed)"

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, excerpt
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from stayput.catalogue import Phrase
     from stayput.motion.record import Motion
 
 # How names and headers write the upper floor of a building: "42nd Floor", "floor42", "42F", "42階". A number

@@ -26,7 +26,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, excerpt
 from stayput.model.parameters import arguments, check_fields, choice, parameter, quantity
 from stayput.motion.floors import of_the_ground
@@ -36,7 +36,6 @@ from stayput.motion.response import DAMPING
 from stayput.uncertainty import random_bits
 
 if TYPE_CHECKING:
-    from stayput.catalogue import Phrase
     from stayput.motion.record import Motion
 
 StrengthMeasure = Literal["JMA", "PGA", "PGV", "SA"]

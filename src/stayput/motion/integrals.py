@@ -9,14 +9,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.model.parameters import STANDARD_GRAVITY
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 
 def _running(steps: NDArray[np.float64]) -> NDArray[np.float64]:

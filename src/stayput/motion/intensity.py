@@ -11,10 +11,12 @@ with a scatter of about half a degree; none replaces the intensity that is compu
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, finite, not_allowed
@@ -22,10 +24,6 @@ from stayput.motion.response import PERIODS, mean_period
 from stayput.vocabulary import preset_meant
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from numpy.typing import ArrayLike, NDArray
-
     from stayput.motion.record import Motion
 
 EXCEEDED = 0.3

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
+from numpy.typing import ArrayLike, NDArray
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, not_allowed, shown, too_many, warn, within
@@ -18,8 +19,6 @@ from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.integrals import peak_velocity, velocity
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
-
     from stayput.motion.record import Motion
 
 STEP_RANGE = (1e-6, 1.0)

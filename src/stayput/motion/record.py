@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, fields, replace
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Literal, cast
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, Self, cast
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from stayput.errors import InputError, finite, instance_of, shown, visible, whole_within, within, word_of
 from stayput.files import check_target, draft
@@ -33,13 +35,8 @@ from stayput.motion.writers import FORMATS
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
-    from pathlib import Path
-    from typing import Self
-
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from numpy.typing import ArrayLike, NDArray
 
 MotionHistory = Literal["acceleration", "velocity", "displacement"]
 """What `Motion.plot` draws over time."""

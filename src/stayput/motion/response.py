@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from stayput.catalogue import phrase
 from stayput.errors import not_allowed, numbers, within
@@ -14,7 +15,6 @@ from stayput.wording import check_language
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from numpy.typing import ArrayLike, NDArray
 
 PERIODS: NDArray[np.float64] = np.geomspace(0.05, 10.0, 100)
 """Periods at which a spectrum is taken where nothing is said [s], shape (100,)."""

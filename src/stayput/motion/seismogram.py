@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import re
 import struct
+from collections.abc import Iterable
 from io import BytesIO
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -18,10 +19,6 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, absent, not_allowed, unknown, warn
 from stayput.motion.channels import Channel, labels_phrase
 from stayput.motion.units import acceleration_unit, time_step, unit_factor
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
 
 _OTHER_INSTRUMENT = re.compile(r"(?!EW|UD)[BCDEFGHLMQRSTV](?![NLG])[A-Z][NEZ0-9FO]")
 """SEED's codes of band, instrument and orientation (SEED 2.4, appendix A) but those of accelerometers."""

@@ -5,18 +5,16 @@ from __future__ import annotations
 import math
 import random
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, too_many, within, word_of
 from stayput.model.parameters import arguments, parameters, quantity
 from stayput.motion.processing import LARGEST_ACCELERATION, MOST_SAMPLES, QUANTUM, STEP_RANGE
 from stayput.motion.record import Motion
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 PULSE_KINDS = ("rectangular", "half-sine", "ricker", "mavroeidis-papageorgiou")
 """The kinds of `pulse`."""

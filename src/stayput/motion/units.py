@@ -8,22 +8,19 @@ from __future__ import annotations
 import math
 import re
 import unicodedata
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, InputWarning, excerpt, not_allowed, unknown, warn, within
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.channels import is_direction, is_vertical
 from stayput.motion.processing import STEP_RANGE
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from numpy.typing import NDArray
-
-    from stayput.catalogue import Phrase
     from stayput.motion.readers.headings import Headings
 
 ACCELERATION_UNITS = {

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from stayput.errors import InputError
 from stayput.model.parameters import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from stayput.motion.record import Motion
 
 _VALUES_A_LINE = 5

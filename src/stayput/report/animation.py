@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 import subprocess
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 from PIL import Image
 
 from stayput.catalogue import phrase, say
@@ -25,11 +27,6 @@ from stayput.report.summary import sentences
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-    from pathlib import Path
-
-    from numpy.typing import NDArray
-
     from stayput.simulation.run import Run
 
 Progress: TypeAlias = Callable[[int, int], None]

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
-from stayput.building.response import FloorDrawing
+from stayput.building.response import FloorDrawing, FloorResponse
 from stayput.catalogue import phrase, say
 from stayput.errors import word_of
 from stayput.motion.response import DAMPING, PERIODS
@@ -17,14 +19,10 @@ from stayput.report.names import given_name, motion_label
 from stayput.report.palette import COMPONENT_COLOURS, INK, MUTED
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-    from pathlib import Path
-
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from stayput.building.model import ShearModel
-    from stayput.building.response import FloorResponse
 
 LINES = (
     ("#0072b2", "-"),

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import base64
 import math
+from collections.abc import Callable, Iterator
 from io import BytesIO
-from typing import TYPE_CHECKING, Any, Literal
+from pathlib import Path
+from typing import Any, Literal
 
 import matplotlib as mpl
 from matplotlib.axes import Axes
@@ -20,11 +22,6 @@ from stayput.files import PLOT_SUFFIXES, check_target, draft
 from stayput.motion.intensity import CLASSES
 from stayput.report.fonts import drawable, with_fallback
 from stayput.report.palette import FAINT, INK, MUTED
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
-    from pathlib import Path
-
 
 LINE = "drawn"
 """What marks the line of a value on axes, by which the lines there are counted."""

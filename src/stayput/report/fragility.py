@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from unicodedata import east_asian_width
 
@@ -11,8 +13,8 @@ from matplotlib.ticker import LogLocator
 
 from stayput.catalogue import say
 from stayput.errors import InputError, within
-from stayput.fragility.curve import CurveState
-from stayput.fragility.intensity_measures import JMA_INTENSITY
+from stayput.fragility.curve import CurveState, FragilityCurve
+from stayput.fragility.intensity_measures import JMA_INTENSITY, IntensityMeasure
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.figures import FONT, label_axes, new_figure, plain_log, saved, shaded_classes, style
 from stayput.report.fonts import drawable
@@ -21,14 +23,9 @@ from stayput.report.verdict import numbers
 from stayput.verification.words import title
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-    from pathlib import Path
-
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from stayput.fragility.curve import FragilityCurve
-    from stayput.fragility.intensity_measures import IntensityMeasure
     from stayput.verification import Verdict
 
 

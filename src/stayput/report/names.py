@@ -5,13 +5,12 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import say
+from stayput.catalogue import Phrase, say
 from stayput.catalogue.names import FAMILIES, MOTIONS, PIECES, PIECES_OF_RUNS, PLACES, STRUCTURES, SURFACES
 from stayput.motion.floors import floor_phrase
 from stayput.wording import called, name_within
 
 if TYPE_CHECKING:
-    from stayput.catalogue import Phrase
     from stayput.motion.record import Motion
     from stayput.simulation.run import Run
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import math
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import say
@@ -22,8 +23,6 @@ from stayput.report.summary import rows, sentence
 from stayput.report.verdict.numbers import NO_NUMBER, length, word
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
-
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 

@@ -5,9 +5,11 @@ from __future__ import annotations
 import html
 import json
 import re
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from importlib import resources
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
@@ -20,9 +22,7 @@ from stayput.report.palette import STABILITY_COLOURS
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Mapping
     from importlib.resources.abc import Traversable
-    from pathlib import Path
 
 
 _BEFORE_UNIT = re.compile(r"(?<=\d) (?=(?:%|[ck]?m|kg|k?[NJ]|Hz|s|m/s²?|cm/s|秒)(?![\w/]))")

@@ -6,12 +6,15 @@ The figures are made without pyplot, so that they work in threads and without a 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Iterator
 from itertools import islice
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Rectangle
+from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
 from stayput.catalogue import say
@@ -19,7 +22,7 @@ from stayput.catalogue.names import EVENTS, MODES, OUTCOMES
 from stayput.errors import word_of
 from stayput.model.state import State, standing_corners, wall_faces
 from stayput.motion.intensity import DisplacementPeak
-from stayput.motion.record import MotionHistory
+from stayput.motion.record import Motion, MotionHistory
 from stayput.report.figures import (
     FONT,
     LINE,
@@ -45,18 +48,11 @@ from stayput.report.palette import (
     ROOM,
 )
 from stayput.simulation.outcome import EventKind, Mode
-from stayput.simulation.run import RunHistory
+from stayput.simulation.run import Run, RunHistory
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
-    from pathlib import Path
-
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
-
-    from stayput.motion.record import Motion
-    from stayput.simulation.run import Run
 
 _AFTER = 1.2  # the time axis goes on after overturning by this factor
 BAND = 0.25

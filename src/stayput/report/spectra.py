@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 from matplotlib.ticker import LogLocator
+from numpy.typing import NDArray
 
 from stayput.catalogue import phrase, say
 from stayput.errors import word_of
 from stayput.motion.intensity import LONG_PERIOD_BOUNDS, LONG_PERIODS
 from stayput.motion.response import DAMPING, PERIODS, SpectralResponse, fourier_amplitude, konno_ohmachi
-from stayput.motion.suites.suite import SuiteSpectra
+from stayput.motion.suites.suite import Suite, SuiteSpectra
 from stayput.report.figures import (
     FONT,
     LINE,
@@ -30,15 +32,11 @@ from stayput.report.palette import ALARM, COMPONENT_COLOURS, MUTED
 from stayput.wording import counted
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
 
     from stayput.motion.record import Motion
     from stayput.motion.response import ResponseSpectrum
-    from stayput.motion.suites.suite import Suite
     from stayput.motion.suites.target import TargetSpectrum
 
 

@@ -4,25 +4,22 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Sequence
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.catalogue import LANGUAGES, phrase, say
+from stayput.catalogue import LANGUAGES, Phrase, phrase, say
 from stayput.catalogue.names import OUTCOMES
 from stayput.report.history import peak_told
 from stayput.report.names import motion_place, names_of, piece_at_first, piece_name, place_named
-from stayput.simulation.outcome import Event, EventKind, Outcome
+from stayput.simulation.outcome import Event, EventKind, Hit, Outcome
 from stayput.wording import FAR, inside, joined, with_aside
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from stayput.catalogue import Phrase
     from stayput.measures import DeviceResult
     from stayput.motion.record import Motion
-    from stayput.simulation.outcome import Hit
     from stayput.simulation.run import PieceRun, Run
 
 LEFT_AND_RIGHT = ("left", "right")

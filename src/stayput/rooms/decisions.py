@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -9,8 +10,6 @@ from stayput.errors import InputError, instance_of
 from stayput.verification.changes import Change, loose_pieces, with_changes
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-
     from stayput.measures import Measure
     from stayput.scenario import Scenario
 

@@ -9,12 +9,13 @@ it, as far as the studs behind the piece allow. All runs are under the same eart
 from __future__ import annotations
 
 import time
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, instance_of
 from stayput.measures.edges import WedgeStopper
 from stayput.measures.floor import SOFT
@@ -31,6 +32,7 @@ from stayput.rooms.steps import (
     ChosenStep,
     Fix,
     Home,
+    NotTaken,
     PlanStep,
     Trial,
     for_people,
@@ -49,12 +51,8 @@ from stayput.verification.search import falling_pieces, harmful_pieces, held, mo
 from stayput.verification.verdict import OptionVerdict, Verdict
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
-
-    from stayput.catalogue import Phrase
     from stayput.fragility.probabilities import Probability
     from stayput.measures import Measure
-    from stayput.rooms.steps import NotTaken
     from stayput.scenario.option import Option
 
 WEAKER_CLASSES = ("6-upper", "6-lower", "5-upper", "5-lower", "4")

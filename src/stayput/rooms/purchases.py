@@ -7,23 +7,20 @@ So its peak forces are taken from runs in which it cannot fail, with the stiffne
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from stayput.measures import GelMats, Measure, TensionPole
+from stayput.measures import Element, GelMats, Measure, TensionPole
 from stayput.measures.wall import WallDevice, most_on_studs
 from stayput.simulation.placing import placed
 from stayput.uncertainty import USUAL
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from numpy.typing import NDArray
-
     from stayput.catalogue import Phrase
-    from stayput.measures import Element
     from stayput.scenario.option import Option
     from stayput.verification.contest import Contest
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import Phrase, phrase
@@ -18,8 +19,6 @@ from stayput.verification.words import class_phrase
 from stayput.wording import inside, joined
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
-
     from stayput.fragility.probabilities import Probability
     from stayput.rooms.purchases import Purchase
     from stayput.rooms.steps import NotTaken, Trial

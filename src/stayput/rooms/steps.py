@@ -2,33 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError
-from stayput.measures import MEASURES
+from stayput.measures import MEASURES, Measure
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.scenario.tables import floor_of
 from stayput.simulation.stability import MAY_FALL_FROM
-from stayput.verification.options import COMBINED
+from stayput.verification.options import COMBINED, Input
 from stayput.verification.people import harm_step
 from stayput.vocabulary import TATAMI
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
-    from pathlib import Path
-
-    from stayput.catalogue import Phrase
     from stayput.fragility.probabilities import Probability
-    from stayput.measures import Measure
     from stayput.measures.measure import Grade
     from stayput.rooms.purchases import Purchase
     from stayput.scenario import Scenario
     from stayput.simulation.piece import Piece
     from stayput.simulation.scene import Scene
     from stayput.verification.changes import Change
-    from stayput.verification.options import Input
     from stayput.verification.verdict import OptionVerdict, Verdict
 
 SETS = (("l_bracket",), ("belt",), ("tension_pole",), ("gel_mats",), COMBINED, ("gel_mats", "tension_pole"))

@@ -6,6 +6,7 @@ What a field of a table has in common with the field of the value that the table
 
 from __future__ import annotations
 
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import MISSING, replace
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar, cast
@@ -14,13 +15,8 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, create_model
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, has_control
-from stayput.model.parameters import parameter_of, parameters
+from stayput.model.parameters import Parameter, parameter_of, parameters
 from stayput.vocabulary import meant
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
-
-    from stayput.model.parameters import Parameter
 
 Made = TypeVar("Made")
 

@@ -4,18 +4,15 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, cast
 
-from stayput.catalogue import LANGUAGES, phrase, say
+from stayput.catalogue import LANGUAGES, Phrase, phrase, say
 from stayput.errors import InputError, near_miss, unknown
 from stayput.vocabulary import also_called, listed
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from pydantic_core import ErrorDetails
-
-    from stayput.catalogue import Phrase
 
 _LONGEST = 60  # characters of a value that are shown
 

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, NamedTuple, Self
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.wording import joined
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from stayput.catalogue import Phrase
     from stayput.measures import BadlyInstalled, Measure
     from stayput.model.room import Room
 

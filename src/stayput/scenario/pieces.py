@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
-from pathlib import Path  # noqa: TC003 - pydantic reads the annotations
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Self
 
 from pydantic import Field, model_validator
@@ -21,8 +22,6 @@ from stayput.simulation.piece import BEHIND, Piece
 from stayput.simulation.scene import STRENGTH_RANGE, Joint
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from stayput.measures import Measure
 
 if TYPE_CHECKING:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 from functools import cached_property, partial
 from os import PathLike
 from pathlib import Path
@@ -11,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Self, cast
 from pydantic import Field, PrivateAttr, model_validator
 
 from stayput.catalogue import phrase, say
-from stayput.contents.contents import emptied
+from stayput.contents.contents import Contents, emptied
 from stayput.errors import InputError, instance_of, no_length, not_allowed, refuse_same_names, word_of
 from stayput.measures.measure import refuse_conflicts
 from stayput.motion.suites.suite import Suite
@@ -27,9 +28,6 @@ from stayput.simulation.case import Case, moves_in_space, simulate
 from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-
-    from stayput.contents.contents import Contents
     from stayput.measures import Measure
     from stayput.motion.record import Motion
     from stayput.simulation.run import Dimensions, Run

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from contextlib import contextmanager
+from collections.abc import Generator, Mapping, Sequence
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import replace
 from functools import cache, partial
 from pathlib import Path
@@ -24,14 +25,10 @@ from stayput.scenario.option import AS_STATED, Option
 from stayput.scenario.pieces import JointTable, PieceTable, in_place
 from stayput.scenario.plan import DoorTable, PlaceTable, PlanTable, WindowTable  # noqa: TC001 - pydantic reads the annotations
 from stayput.scenario.tables import RoomTable
-from stayput.simulation.scene import MOST_BODIES, Scene, refuse_places
+from stayput.simulation.scene import MOST_BODIES, Joint, Scene, refuse_places
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Mapping, Sequence
-    from contextlib import AbstractContextManager
-
     from stayput.simulation.piece import Piece
-    from stayput.simulation.scene import Joint
 
 
 @contextmanager

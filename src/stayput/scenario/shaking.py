@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Literal, Self, TypeVar, cast
+from pathlib import Path
+from typing import Annotated, Literal, Self, TypeVar, cast
 
 from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
 
@@ -23,7 +24,7 @@ from stayput.motion.ground_shaking import (
 )
 from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.readers import read_shaking, read_vertical
-from stayput.motion.readers.columns import MOST_SKIPPED, OPTIONS, chosen_columns
+from stayput.motion.readers.columns import MOST_SKIPPED, OPTIONS, ReadingOptions, chosen_columns
 from stayput.motion.record import Motion
 from stayput.motion.suites.families import FAMILIES
 from stayput.motion.suites.suite import Suite, read_suite
@@ -46,11 +47,6 @@ from stayput.scenario.fields import (
     one_of,
 )
 from stayput.scenario.tables import BuildingTable  # noqa: TC001 - pydantic reads the annotations
-
-if TYPE_CHECKING:
-    from pathlib import Path
-
-    from stayput.motion.readers.columns import ReadingOptions
 
 Shaken = TypeVar("Shaken", Motion, Suite)
 

@@ -8,6 +8,7 @@ from itertools import product
 from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, list_of, word_of
@@ -27,7 +28,6 @@ from stayput.simulation.sweep import SweepOptions, sweep_case
 
 if TYPE_CHECKING:
     import xarray as xr
-    from numpy.typing import NDArray
 
 
 ABOUT = {column.name: column for column in QUANTITIES}

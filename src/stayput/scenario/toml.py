@@ -10,14 +10,12 @@ from __future__ import annotations
 
 import re
 import tomllib
-from typing import TYPE_CHECKING, Any, cast
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, cast
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, reason_of
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-    from pathlib import Path
 
 LARGEST_FILE = 1024 * 1024
 """Largest scenario file [bytes]."""

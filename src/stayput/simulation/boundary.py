@@ -8,28 +8,25 @@ map that differ, and refined by bisection.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from concurrent.futures import Executor
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, get_args
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, within, word_of
-from stayput.simulation.grid import Axis, Columns, Grid, finite_numbers, make_grid
+from stayput.simulation.grid import Axes, Axis, Columns, Grid, finite_numbers, make_grid
 from stayput.simulation.many import run_grid
 from stayput.simulation.outcome import Outcome
 from stayput.simulation.sweep import sweep_case
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-    from concurrent.futures import Executor
-
     import xarray as xr
-    from numpy.typing import ArrayLike, NDArray
 
     from stayput.simulation.case import Case
-    from stayput.simulation.grid import Axes
 
     RunPoints: TypeAlias = (
         "Callable[[NDArray[np.intp], NDArray[np.float64]], tuple[NDArray[np.bool_], NDArray[np.int32]]]"

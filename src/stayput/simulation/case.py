@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.catalogue import phrase
 from stayput.errors import (
@@ -20,8 +22,8 @@ from stayput.errors import (
     within,
     word_of,
 )
-from stayput.measures.element import device_results
-from stayput.measures.measure import Measure, element_rows, hold
+from stayput.measures.element import DeviceResult, device_results
+from stayput.measures.measure import Held, Measure, element_rows, hold
 from stayput.mechanics import columns as col
 from stayput.model.body import Body
 from stayput.model.flat_fields import case_columns
@@ -34,13 +36,8 @@ from stayput.simulation.run import LAWS, Contact, Dimensions, PieceRun, Run, def
 from stayput.wording import Brief, check_language
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from matplotlib.axes import Axes
-    from numpy.typing import NDArray
 
-    from stayput.measures.element import DeviceResult
-    from stayput.measures.measure import Held
     from stayput.mechanics.runner import Traced
     from stayput.simulation.piece import Piece
     from stayput.simulation.scene import Scene

@@ -11,12 +11,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.model.floor_plan import PersonPlace, rectangle
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from stayput.model.solid import Solid
     from stayput.simulation.piece import Piece
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, instance_of, list_of, no_length, not_allowed, shown, unknown
 from stayput.errors import numbers as array_of
 from stayput.measures.measure import element_rows, hold
@@ -17,6 +18,7 @@ from stayput.mechanics.devices.columns import ELEMENT
 from stayput.model.body import Body
 from stayput.model.flat_fields import (
     WALLS_AND_CEILING,
+    NumberOrColumn,
     case_rows,
     distance_to,
     fields_of,
@@ -29,13 +31,7 @@ from stayput.motion.record import Motion
 from stayput.simulation.case import Case, law_number
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from numpy.typing import NDArray
-
-    from stayput.catalogue import Phrase
     from stayput.measures import Measure
-    from stayput.model.flat_fields import NumberOrColumn
 
 
 Columns: TypeAlias = "dict[str, NDArray[np.float64] | NDArray[np.int64]]"

@@ -6,23 +6,20 @@ in runs without each other, which are then made again with both.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Sequence
 from itertools import combinations
 from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.mechanics.space.touching import ROOM
 from stayput.simulation.convex import separation
 from stayput.simulation.space_engine import MOST_HITS, Gaps, SpaceTrace
-from stayput.simulation.tracks import STIRS, at_rest, body_at, bounds_of, meet
+from stayput.simulation.tracks import STIRS, Track, at_rest, body_at, bounds_of, meet
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
-
-    from numpy.typing import NDArray
-
     from stayput.simulation.scene import Scene
-    from stayput.simulation.tracks import Track
 
 Group: TypeAlias = tuple[int, ...]
 """Numbers of pieces, in order."""

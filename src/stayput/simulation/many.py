@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor
 from functools import partial
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.errors import instance_of, whole_within
 from stayput.execution import Pool, Shared
@@ -14,18 +16,12 @@ from stayput.mechanics.columns import RESULT
 from stayput.mechanics.devices.columns import DEVICE, ELEMENT, NONE
 from stayput.mechanics.runner import Shaking, run_cases, run_cases_with_devices, shaking
 from stayput.progress import bar
-from stayput.simulation.grid import LAW, MOTION, make_grid
+from stayput.simulation.grid import LAW, MOTION, CaseBlock, Grid, make_grid
 from stayput.simulation.outcome import CASE_RESULT, case_results, empty_columns, fill_columns
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
-    from concurrent.futures import Executor
-
-    from numpy.typing import NDArray
-
     from stayput.motion.record import Motion
     from stayput.simulation.case import Case
-    from stayput.simulation.grid import CaseBlock, Grid
 
 
 CHUNK = 64

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.measures.element import failed, utilisation
 from stayput.mechanics import columns as col
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT, record
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 
 class Outcome(StrEnum):

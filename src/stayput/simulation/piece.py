@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, list_of, name_of, numbers, within, word_of
@@ -15,10 +17,6 @@ from stayput.model.body import Body
 from stayput.model.room import WALLS_AROUND
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from numpy.typing import NDArray
-
     from stayput.model.solid import Solid
 
 

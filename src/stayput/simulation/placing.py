@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import fields, replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.errors import InputError
 from stayput.measures.element import DeviceResult, damper, device_result, utilisation
-from stayput.measures.measure import Held, element_rows, hold
+from stayput.measures.measure import Held, Measure, element_rows, hold
 from stayput.measures.wall import WallDevice
 from stayput.mechanics.devices.columns import AXIAL, NONE, PLANAR
 from stayput.mechanics.space.columns import LAW_OF_ELEMENT, SPRING
@@ -18,20 +20,14 @@ from stayput.mechanics.space.touching import ROOM
 from stayput.model.body import Body
 from stayput.model.flat_fields import case_columns, room_row
 from stayput.model.parameters import STANDARD_GRAVITY
-from stayput.model.room import WALLS_AROUND, Floor, Room
+from stayput.model.room import WALLS_AROUND, Floor, Room, Wall
 from stayput.model.solid import Solid
 from stayput.model.state import State
 from stayput.simulation.piece import Piece, rotation_by
 from stayput.simulation.space_records import NORMALS, planes_of, pose_of, surface_of
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
-    from numpy.typing import NDArray
-
     from stayput.catalogue import Phrase
-    from stayput.measures.measure import Measure
-    from stayput.model.room import Wall
     from stayput.simulation.scene import Joint, Scene
 
 

@@ -3,27 +3,26 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, Literal, TypedDict, TypeVar, Unpack, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.errors import InputError, list_of, name_of, refuse_same_names, shown
 from stayput.mechanics.space.columns import PLANE, SPRING
 from stayput.model.state import State
 from stayput.saved import InNetcdf
-from stayput.simulation.outcome import SEVERITY, Event, EventKind, Outcome
+from stayput.simulation.outcome import SEVERITY, Event, EventKind, Hit, Outcome
 from stayput.simulation.space_records import matrices
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping, Sequence
-    from pathlib import Path
-
     import xarray as xr
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
 
     from stayput.measures.element import DeviceResult
     from stayput.measures.measure import Held, Measure
@@ -32,7 +31,6 @@ if TYPE_CHECKING:
     from stayput.model.room import Room
     from stayput.motion.record import Motion
     from stayput.report.page import Player
-    from stayput.simulation.outcome import Hit
     from stayput.simulation.piece import Piece
     from stayput.simulation.space_engine import Gaps
 

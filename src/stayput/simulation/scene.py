@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.catalogue.names import PIECES_OF_RUNS
 from stayput.errors import (
     InputError,
@@ -27,13 +29,6 @@ from stayput.simulation.piece import BEHIND, Piece, vector_of
 from stayput.simulation.run import default_names
 from stayput.simulation.space_engine import DEEPEST
 from stayput.wording import name_quoted
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-
-    from numpy.typing import NDArray
-
-    from stayput.catalogue import Phrase
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,49 +3,40 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.catalogue.names import PIECES_OF_RUNS
 from stayput.errors import InputWarning, warn
-from stayput.measures.element import device_results
+from stayput.measures.element import DeviceResult, device_results
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.space.columns import ON_FLOOR, ON_ROOM
 from stayput.mechanics.space.touching import ROOM
 from stayput.model.flat_fields import from_flat_fields
 from stayput.model.parameters import GRAVITY
 from stayput.simulation.case import scene_of
-from stayput.simulation.groups import groups_at_first, joined_traces, run_in_groups
+from stayput.simulation.groups import Group, groups_at_first, joined_traces, run_in_groups
 from stayput.simulation.outcome import OUTCOMES, Hit, Outcome, case_results
-from stayput.simulation.placing import joint_results, joint_springs, placed, planes_around
+from stayput.simulation.placing import Placed, joint_results, joint_springs, placed, planes_around
 from stayput.simulation.run import PieceRun, Run, default_names
-from stayput.simulation.space_engine import STEP, SpaceShaking, run_world
-from stayput.simulation.space_fate import fates_of, unrolled, upright_yaws
+from stayput.simulation.space_engine import STEP, SpaceShaking, SpaceTrace, run_world
+from stayput.simulation.space_fate import Fate, fates_of, unrolled, upright_yaws
 from stayput.simulation.space_records import frames_of, matrices, surface_of, world_of
-from stayput.simulation.tracks import tracks_of
+from stayput.simulation.tracks import Track, tracks_of
 from stayput.wording import joined, name_within
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping, Sequence
-
-    from numpy.typing import NDArray
-
-    from stayput.catalogue import Phrase
-    from stayput.measures.element import DeviceResult
     from stayput.measures.measure import Held, Measure
     from stayput.model.room import Floor, Room
     from stayput.model.state import State
     from stayput.motion.record import Motion
-    from stayput.simulation.groups import Group
     from stayput.simulation.piece import Piece
-    from stayput.simulation.placing import Placed
     from stayput.simulation.scene import Joint, Scene
-    from stayput.simulation.space_engine import SpaceTrace
-    from stayput.simulation.space_fate import Fate
-    from stayput.simulation.tracks import Track
 
 IMPACTS = ("floor_impacts", "wall_impacts", "body_impacts")
 """What the hits of a body are counted by."""

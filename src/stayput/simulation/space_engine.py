@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError
 from stayput.execution import endable
 from stayput.mechanics.devices.columns import DEVICE, FORCES
@@ -20,11 +22,6 @@ from stayput.motion.processing import refine
 from stayput.simulation.space_records import scratch_of, surface_of
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from numpy.typing import NDArray
-
-    from stayput.catalogue import Phrase
     from stayput.motion.record import Motion
 
 DEEPEST = 1e-6

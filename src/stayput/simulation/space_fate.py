@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.simulation.outcome import Outcome
-from stayput.simulation.space_engine import TOUCHES
+from stayput.simulation.space_engine import TOUCHES, Gaps
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from numpy.typing import NDArray
-
     from stayput.model.solid import Solid
     from stayput.simulation.piece import Piece, RoundSide
-    from stayput.simulation.space_engine import Gaps
 
 
 UPRIGHT = math.pi / 3.0

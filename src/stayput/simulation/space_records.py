@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from stayput.mechanics.devices.columns import DEVICE
 from stayput.mechanics.space.columns import CONTACT, FACE, PAIR, PLANE, POINT, POSE, PULL, RIM, SOLID
@@ -15,10 +17,6 @@ from stayput.model.even_base import friction_ratio
 from stayput.model.flat_fields import WALLS_AND_CEILING
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from numpy.typing import ArrayLike, NDArray
-
     from stayput.model.solid import Solid
     from stayput.simulation.piece import Piece
 

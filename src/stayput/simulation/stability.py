@@ -8,13 +8,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
+from numpy.typing import NDArray
 
 from stayput.simulation.space_fate import ROCKED, heights, lies_on_floor, tilts
 from stayput.simulation.space_records import matrices
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from stayput.simulation.piece import Piece
     from stayput.simulation.run import Run
 

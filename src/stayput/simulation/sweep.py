@@ -2,28 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from concurrent.futures import Executor
 from functools import partial
 from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
 import numpy as np
 import xarray as xr
+from numpy.typing import NDArray
 
 from stayput.errors import InputError, list_of, too_many, word_of
 from stayput.execution import Pool
 from stayput.mechanics.runner import trace
 from stayput.model.flat_fields import unit_of
-from stayput.simulation.grid import make_grid
+from stayput.simulation.grid import Axes, Grid, make_grid
 from stayput.simulation.many import groups_of, prepared_motions, run_grid
 from stayput.simulation.outcome import HISTORIES, QUANTITIES
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-    from concurrent.futures import Executor
-
-    from numpy.typing import NDArray
-
     from stayput.simulation.case import Case
-    from stayput.simulation.grid import Axes, Grid
 
 MOST_NUMBERS = 2**27
 """Most numbers in all histories together: 1 GiB."""

@@ -6,21 +6,19 @@ changes, and tracks of bodies that move less than `STIRS`, are left out.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import reduce
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
 from stayput.simulation.convex import Convex, ConvexShape, separation
 from stayput.simulation.space_records import frames_of, matrices
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
-    from numpy.typing import NDArray
-
     from stayput.simulation.piece import Piece
     from stayput.simulation.run import Run
     from stayput.simulation.space_engine import SpaceTrace

@@ -8,17 +8,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.catalogue import phrase
 from stayput.errors import not_allowed, within
 from stayput.model.parameters import GRAVITY, STANDARD_GRAVITY
 from stayput.motion.record import Motion
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 DAMPING = 0.10
 """Damping ratio of the vector spectral acceleration."""

@@ -3,33 +3,28 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.errors import InputError
-from stayput.measures import MEASURES
+from stayput.measures import MEASURES, Measure
 from stayput.measures.wall import REACH, WallDevice, most_on_studs
 from stayput.model.floor_plan import FACING, FloorPlan, PersonPlace, rectangle
-from stayput.scenario.option import Moved
+from stayput.scenario.option import Moved, Option
 from stayput.simulation.convex import inside_each_other
-from stayput.simulation.piece import BEHIND
+from stayput.simulation.piece import BEHIND, Piece
 from stayput.simulation.placing import placed
 from stayput.simulation.space_engine import DEEPEST
 from stayput.simulation.tracks import outline_of
 from stayput.verification.events import PASSAGE
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Mapping, Sequence
-
-    from numpy.typing import NDArray
-
-    from stayput.measures import Measure
     from stayput.scenario import Scenario
-    from stayput.scenario.option import Option
-    from stayput.simulation.piece import Piece
     from stayput.simulation.scene import Scene
 
 FRAME = 0.05

@@ -3,27 +3,29 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache, partial
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from stayput.errors import InputError, not_allowed, numbers
-from stayput.fragility.curve import fragility_curve
-from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY
-from stayput.fragility.paired import difference
+from stayput.fragility.curve import FragilityCurve, fragility_curve
+from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY, IntensityMeasure
+from stayput.fragility.paired import Difference, difference
 from stayput.fragility.probabilities import probability
 from stayput.fragility.trials import Trials
 from stayput.measures.element import weakest
 from stayput.mechanics.devices.columns import HOLDS
-from stayput.montecarlo.counting import Quantiles, severity, worst_of
-from stayput.montecarlo.hazard import Hazard
+from stayput.montecarlo.counting import Outcomes, Quantiles, severity, worst_of
+from stayput.montecarlo.hazard import FloorMotions, Hazard
 from stayput.montecarlo.sampling import FIRST_SAMPLES, Settings, sample_until_precise
 from stayput.progress import tally
 from stayput.simulation.placing import JOINT
-from stayput.verification.contents import contents_verdicts
+from stayput.verification.contents import ContentsVerdict, contents_verdicts
 from stayput.verification.contest import Contest
 from stayput.verification.events import zones_of
 from stayput.verification.notes import Estimates
@@ -33,21 +35,11 @@ from stayput.verification.search import tried_options
 from stayput.verification.verdict import AsInstalled, DeviceSummary, OptionVerdict, PieceVerdict, Verdict
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
-
-    from numpy.typing import ArrayLike, NDArray
-
     from stayput.catalogue import Phrase
-    from stayput.fragility.curve import FragilityCurve
-    from stayput.fragility.intensity_measures import IntensityMeasure
-    from stayput.fragility.paired import Difference
     from stayput.measures import Element
-    from stayput.montecarlo.counting import Outcomes
-    from stayput.montecarlo.hazard import FloorMotions
     from stayput.montecarlo.runs import Falls, Runs
     from stayput.scenario import Scenario
     from stayput.scenario.option import Option
-    from stayput.verification.contents import ContentsVerdict
 
 LEVELS: NDArray[np.float64] = np.linspace(4.25, 7.0, 12)
 """JMA intensities of the ground for the fragility curves: ends and middles of the classes from 4 to 7."""

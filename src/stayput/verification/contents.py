@@ -2,32 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.contents.carrier import Carrier, parts
-from stayput.contents.contents import emptied, opened
+from stayput.contents.contents import Contents, emptied, opened
 from stayput.contents.spill import Spill, spill_of
 from stayput.errors import InputError
 from stayput.execution import Pool
 from stayput.fragility.probabilities import Probability, probability, probability_of_counts
 from stayput.montecarlo.hazard import PreparedFloor
 from stayput.montecarlo.runs import run_level
-from stayput.montecarlo.sampling import DrawTable, draws, rows_of
+from stayput.montecarlo.sampling import DrawTable, Rows, draws, rows_of
 from stayput.montecarlo.scenes import trace_draw
 from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
-    from numpy.typing import NDArray
-
-    from stayput.contents.contents import Contents
     from stayput.model.body import Body
-    from stayput.montecarlo.sampling import Rows
     from stayput.scenario.option import Option
     from stayput.verification.contest import Contest
 

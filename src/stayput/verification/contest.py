@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -10,7 +11,7 @@ from stayput.measures import Element, hold
 from stayput.measures.element import device_results
 from stayput.mechanics.runner import shaking, trace
 from stayput.model.flat_fields import case_columns
-from stayput.montecarlo.hazard import Hazard
+from stayput.montecarlo.hazard import FloorMotions, Hazard
 from stayput.montecarlo.runs import Falls, Runs, run_level, run_levels, settled_levels
 from stayput.montecarlo.sampling import Rows, Settings, drawn_held, draws, rows_of
 from stayput.montecarlo.scene_draws import draws_of_scenario
@@ -23,14 +24,11 @@ from stayput.simulation.tracks import at_rest
 from stayput.verification.events import Watcher
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
     import numpy as np
     from numpy.typing import NDArray
 
     from stayput.model.floor_plan import FloorPlan
     from stayput.montecarlo.counting import Member
-    from stayput.montecarlo.hazard import FloorMotions
     from stayput.motion.record import Motion
     from stayput.scenario import Scenario
     from stayput.scenario.option import Option

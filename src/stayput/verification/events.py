@@ -6,29 +6,25 @@ The floor is a grid of square cells. A person passes where the nearest obstacle 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy import ndimage
 
 from stayput.mechanics.columns import OVERTURNED_OUTCOME
-from stayput.model.floor_plan import rectangle
+from stayput.model.floor_plan import Door, FloorPlan, PersonPlace, rectangle
 from stayput.montecarlo.scenes import Seen
 from stayput.simulation.convex import box_of, separation
-from stayput.simulation.tracks import at_rest, body_at, bounds_of, touching_of, tracks_of
+from stayput.simulation.tracks import Touching, Track, at_rest, body_at, bounds_of, touching_of, tracks_of
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-
-    from numpy.typing import NDArray
-
-    from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
     from stayput.montecarlo.runs import Runs
     from stayput.simulation.piece import Piece
     from stayput.simulation.run import Run
-    from stayput.simulation.tracks import Touching, Track
 
 _images: Any = ndimage  # its results depend on its arguments, which its types do not tell
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 
@@ -33,9 +34,6 @@ from stayput.verification.words import length, slides_off, title
 from stayput.wording import FAR, joined
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-    from typing import Self
-
     from stayput.model.body import Body
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.scenario import Scenario

@@ -6,6 +6,7 @@ The earthquakes are what is asked, so they have no grade.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -25,8 +26,6 @@ from stayput.uncertainty import Confidence
 from stayput.wording import inside, joined
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from stayput.scenario import Scenario
     from stayput.scenario.pieces import PieceTable
     from stayput.scenario.tables import BuildingTable

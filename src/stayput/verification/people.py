@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.fragility.paired import Difference, difference
 from stayput.fragility.probabilities import Probability, probability
@@ -14,10 +16,6 @@ from stayput.mechanics.columns import OVERTURNED_OUTCOME
 from stayput.montecarlo.counting import RANKING_RESOLUTION, Member, Quantiles
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from numpy.typing import NDArray
-
     from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
     from stayput.montecarlo.runs import Runs
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from itertools import chain, repeat
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import Phrase, phrase, say
 from stayput.catalogue.names import PIECES
-from stayput.fragility.probabilities import percent
+from stayput.fragility.probabilities import Probability, percent
 from stayput.measures.wall import REACH
 from stayput.model.floor_plan import PLACE_NAMES, Door, PersonPlace
 from stayput.montecarlo.counting import OVERTURNED
@@ -17,10 +18,7 @@ from stayput.verification.words import sentence_of, shaking_phrase, title
 from stayput.wording import called, default_name, inside, joined, name_quoted, name_within
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from stayput.fragility.paired import Difference
-    from stayput.fragility.probabilities import Probability
     from stayput.verification.people import People
     from stayput.verification.verdict import OptionVerdict, PieceVerdict, Verdict
 

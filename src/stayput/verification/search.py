@@ -7,16 +7,18 @@ it moves where it stands, turned with it. What a change brings is then told by r
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import suppress
 from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.errors import InputError
-from stayput.model.floor_plan import FACING
+from stayput.model.floor_plan import FACING, PersonPlace
 from stayput.simulation.stability import MAY_FALL_FROM
-from stayput.simulation.tracks import outline_of
+from stayput.simulation.tracks import Track, outline_of
 from stayput.verification.changes import (
     Change,
     FreeFloor,
@@ -30,16 +32,10 @@ from stayput.verification.changes import (
 from stayput.verification.people import hardest, harm_of, hits_in, risk_of
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Iterator, Sequence
-
-    from numpy.typing import NDArray
-
-    from stayput.model.floor_plan import PersonPlace
     from stayput.montecarlo.runs import Runs
     from stayput.scenario.option import Option
     from stayput.simulation.piece import Piece
     from stayput.simulation.scene import Scene
-    from stayput.simulation.tracks import Track
     from stayput.verification.contest import Contest
     from stayput.verification.events import Ways
 

@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.montecarlo.counting import OVERTURNED, Member, Quantiles
 from stayput.saved import InJson
-from stayput.simulation.stability import MAY_FALL_FROM
+from stayput.simulation.stability import MAY_FALL_FROM, Stability
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
-    from pathlib import Path
-
     from matplotlib.axes import Axes
-    from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
     from stayput.fragility.curve import Capacity, FragilityCurve
@@ -27,7 +26,6 @@ if TYPE_CHECKING:
     from stayput.measures.measure import Grade
     from stayput.scenario import Scenario
     from stayput.scenario.option import Option
-    from stayput.simulation.stability import Stability
     from stayput.verification.changes import Change
     from stayput.verification.contents import ContentsVerdict
     from stayput.verification.events import Zones

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import Phrase, phrase, say
 from stayput.catalogue.names import CONTENTS, INTENSITIES, PIECES_OF_RUNS
-from stayput.fragility.probabilities import percent
+from stayput.fragility.probabilities import Probability, percent
 from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED, SLID
 from stayput.motion.floors import floor_phrase
 from stayput.motion.intensity import intensity_class
@@ -16,9 +17,6 @@ from stayput.simulation.stability import MAY_FALL_FROM
 from stayput.wording import FAR, inside, is_open, joined, name_within, with_aside
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from stayput.fragility.probabilities import Probability
     from stayput.scenario.option import Option
     from stayput.verification.verdict import OptionVerdict, Verdict
 

@@ -7,6 +7,7 @@ and list it in `READERS`.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
@@ -25,7 +26,7 @@ from stayput.errors import (
     within,
 )
 from stayput.motion import seismogram
-from stayput.motion.channels import check_horizontal, is_vertical, labels_phrase, motion_fields
+from stayput.motion.channels import Channel, check_horizontal, is_vertical, labels_phrase, motion_fields
 from stayput.motion.floors import BOREHOLE, floor_phrase
 from stayput.motion.processing import STEP_RANGE, checked_record
 from stayput.motion.readers import california, databases, japan
@@ -36,9 +37,6 @@ from stayput.motion.units import unit_factor
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Callable, Generator, Mapping, Sequence
-
-    from stayput.motion.channels import Channel
 
 
 _HEAD = 1000

@@ -15,9 +15,9 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, TypedDict, cast
+from typing import Any, TypedDict, cast
 
 import numpy as np
 
@@ -42,9 +42,6 @@ from stayput.motion.units import (
 )
 from stayput.spreadsheets import named_columns
 from stayput.wording import joined
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
 
 _COMMENT = ("#", "%", "//", "!")
 _STARTS = re.compile(r"[\"']?[+\-]?\.?[0-9]")

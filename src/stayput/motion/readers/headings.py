@@ -4,18 +4,14 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Sequence
+from typing import NamedTuple
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, excerpt, without_control
 from stayput.motion.channels import LISTED, is_direction, is_down, is_vertical
 from stayput.motion.units import BRACKET, UNIT_OF_TIME, is_motion, known_unit, quantity_of, time_factor
 from stayput.wording import joined
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from stayput.catalogue import Phrase
 
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9\-]{0,11}")
 _NOT_FINITE = re.compile(r"[+\-]?(?:nan|inf|infinity)", re.IGNORECASE)

@@ -19,15 +19,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from statistics import NormalDist
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.errors import whole_within
 from stayput.uncertainty import random_bits, uniforms
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 BETA = 3500.0
 """Velocity of shear waves β at the source [m/s]."""

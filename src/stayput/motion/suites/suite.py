@@ -4,37 +4,30 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Hashable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, cast, overload
+from typing import TYPE_CHECKING, Any, Literal, Unpack, cast, overload
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from stayput.catalogue import phrase
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, InputWarning, excerpt, list_of, not_allowed, warn, whole_within
 from stayput.execution import Pool
-from stayput.motion.channels import is_vertical, labels_phrase, plain_origin
-from stayput.motion.readers import along, motion_of, read_file, read_shaking
+from stayput.motion.channels import Channel, is_vertical, labels_phrase, plain_origin
+from stayput.motion.readers import ReadFile, along, motion_of, read_file, read_shaking
 from stayput.motion.record import Motion
 from stayput.motion.response import DAMPING, PERIODS, checked_periods
-from stayput.motion.suites.target import DEFAULT_BAND, band_periods, matched
+from stayput.motion.suites.target import DEFAULT_BAND, TargetSpectrum, band_periods, matched
 from stayput.wording import check_language, joined
 
 if TYPE_CHECKING:
-    from collections.abc import Hashable, Iterable
-    from typing import Unpack
-
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from numpy.typing import ArrayLike, NDArray
 
-    from stayput.catalogue import Phrase
-    from stayput.motion.channels import Channel
-    from stayput.motion.readers import ReadFile
     from stayput.motion.readers.columns import ReadingOptions
-    from stayput.motion.suites.target import TargetSpectrum
 
 
 SuiteSpectra = Literal["spectra", "scatter"]

@@ -9,10 +9,11 @@ from __future__ import annotations
 import math
 import threading
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from cachetools import LRUCache, cached
+from numpy.typing import NDArray
 
 from stayput.catalogue import phrase
 from stayput.errors import instance_of, whole_within, word_of
@@ -25,7 +26,11 @@ from stayput.motion.suites.families import (
     KINDS,
     MIX,
     SEED_RANGE,
+    BasinWaves,
     Draws,
+    Family,
+    Parameters,
+    Pulse,
     cosine_taper,
     crust_amplification,
     draw_parameters,
@@ -37,11 +42,6 @@ from stayput.motion.suites.families import (
 from stayput.motion.suites.suite import Suite
 from stayput.motion.suites.target import DEFAULT_BAND, TargetSpectrum
 from stayput.motion.synthetic import mavroeidis_papageorgiou
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from stayput.motion.suites.families import BasinWaves, Family, Parameters, Pulse
 
 TAPER = 1.5
 """Over which a motion fades in and out [s]."""

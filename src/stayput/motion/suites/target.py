@@ -9,12 +9,14 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from stayput.catalogue import phrase
 from stayput.errors import (
@@ -40,11 +42,6 @@ from stayput.progress import bar
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Iterable, Sequence
-
-    from numpy.typing import ArrayLike, NDArray
-
-    from stayput.motion.record import Motion
 
 DEFAULT_BAND = (0.1, 5.0)
 """Shortest and longest period over which a target counts where nothing is said [s]."""

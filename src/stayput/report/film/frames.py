@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from copy import copy
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFilter
 
 from stayput.catalogue import say
 from stayput.report.film.layout import FrameLayout
-from stayput.report.film.shape import OPENINGS, STILL_LOOKS, StillShape, cut
+from stayput.report.film.shape import OPENINGS, STILL_LOOKS, SolidShape, StillShape, cut
 from stayput.report.palette import (
     ALARM,
     INK,
@@ -26,12 +28,7 @@ from stayput.report.palette import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from numpy.typing import NDArray
-
     from stayput.report.animation import Film
-    from stayput.report.film.shape import SolidShape
 
 
 Colour: TypeAlias = str | int | tuple[int, ...]

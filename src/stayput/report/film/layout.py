@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from PIL import Image, ImageDraw
+from PIL import Image, ImageDraw, ImageFont
 
 from stayput.report.fonts import font, with_face, wrapped
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, FAINT, INK, MUTED, PAPER, STABILITY_COLOURS
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from PIL import ImageFont
-
     from stayput.report.animation import Film
 
 

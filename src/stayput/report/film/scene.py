@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import base64
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.measures.measure import Held, element_rows
 from stayput.measures.pole import TensionPole
@@ -25,10 +27,6 @@ from stayput.simulation.space_records import matrices, planes_of
 from stayput.simulation.stability import Stability, over_time
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from numpy.typing import NDArray
-
     from stayput.motion.record import Motion
     from stayput.simulation.run import Run
 

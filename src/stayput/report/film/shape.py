@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from stayput.model.floor_plan import rectangle
+from stayput.model.floor_plan import Door, FloorPlan, PersonPlace, rectangle
 from stayput.report.palette import MUTED, ROLE_COLOURS
 from stayput.simulation.space_records import on_rims
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from numpy.typing import NDArray
-
-    from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
     from stayput.model.solid import Solid
     from stayput.simulation.run import Run
 

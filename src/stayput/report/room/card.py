@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
 import stayput
-from stayput.catalogue import phrase, say
+from stayput.catalogue import Phrase, phrase, say
 from stayput.measures.measure import MEANINGS
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.page import framed, rendered, write_page
@@ -31,20 +33,15 @@ from stayput.rooms.step_words import (
     where,
     worth_telling,
 )
-from stayput.rooms.steps import COST_BOUNDS
+from stayput.rooms.steps import COST_BOUNDS, ActionPlan, Fix, PlanStep
 from stayput.uncertainty import USUAL, Lognormal
 from stayput.verification.room_words import motion_phrase, piece_name, piece_within
 from stayput.verification.words import shaking_phrase
 from stayput.wording import joined
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator
-    from pathlib import Path
-
-    from stayput.catalogue import Phrase
     from stayput.fragility.probabilities import Probability
     from stayput.report.room.elevation import CardSizes
-    from stayput.rooms.steps import ActionPlan, Fix, PlanStep
 
 PLAN_LETTERS = 17.0
 """Size of the names on the plan [px]; that in card.css."""

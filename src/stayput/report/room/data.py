@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 import stayput
@@ -14,8 +15,6 @@ from stayput.spreadsheets import csv_text
 from stayput.verification.room_words import people_in, piece_changed, pieces_in
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
-
     from stayput.fragility.paired import Difference
     from stayput.fragility.probabilities import Probability
     from stayput.rooms.steps import ActionPlan, Fix, PlanStep

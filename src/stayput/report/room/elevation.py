@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.catalogue import say
-from stayput.measures import Belt, GelMats, TensionPole, WedgeStopper
+from stayput.measures import Belt, Element, GelMats, Held, TensionPole, WedgeStopper
 from stayput.measures.wall import WallDevice
 from stayput.model.state import wall_faces
 from stayput.report.verdict import svg
@@ -15,9 +16,6 @@ from stayput.rooms.step_words import elements_of, held_by
 from stayput.verification.room_words import piece_name
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-
-    from stayput.measures import Element, Held
     from stayput.rooms.steps import ActionPlan, Fix
 
 

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from string import ascii_lowercase
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from stayput.catalogue import say
+from stayput.catalogue import Phrase, say
 from stayput.catalogue.names import STABILITY
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.room.sheet import (
     FONT,
+    Box,
     PlanLabel,
     PlanSheet,
     door_svg,
@@ -33,14 +36,8 @@ from stayput.verification.events import CELL
 from stayput.verification.room_words import door_name, people_in, piece_name, place_name
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
-
-    from numpy.typing import NDArray
-
-    from stayput.catalogue import Phrase
     from stayput.fragility.probabilities import Probability
     from stayput.model.floor_plan import Door, FloorPlan
-    from stayput.report.room.sheet import Box
     from stayput.simulation.stability import Stability
     from stayput.verification.changes import Change
     from stayput.verification.verdict import Verdict

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from markupsafe import Markup
@@ -18,7 +20,7 @@ from stayput.report.verdict.html import shared_content
 from stayput.report.verdict.markdown import plain, table
 from stayput.simulation.stability import FALLS_FROM, MAY_FALL_FROM
 from stayput.verification.events import PASSAGE
-from stayput.verification.people import DAY_HOURS
+from stayput.verification.people import DAY_HOURS, HitVerdict
 from stayput.verification.room_words import (
     best_sentence,
     door_name,
@@ -33,11 +35,7 @@ from stayput.verification.room_words import (
 from stayput.wording import with_aside
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-    from pathlib import Path
-
     from stayput.fragility.probabilities import Probability
-    from stayput.verification.people import HitVerdict
     from stayput.verification.verdict import OptionVerdict, Verdict
 
 

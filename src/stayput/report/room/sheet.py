@@ -8,25 +8,19 @@ from __future__ import annotations
 import itertools
 import math
 import unicodedata
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from html import escape
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from stayput.catalogue import say
-from stayput.model.floor_plan import rectangle
+from stayput.model.floor_plan import Door, FloorPlan, PersonPlace, Window, rectangle
 from stayput.model.room import WALLS_AROUND
 from stayput.report.film.shape import swing_of
 from stayput.report.verdict import svg
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-
-    from numpy.typing import ArrayLike
-
-    from stayput.model.floor_plan import Door, FloorPlan, PersonPlace, Window
-
 
 LARGEST = 460.0
 """Longest side of a room [px]."""

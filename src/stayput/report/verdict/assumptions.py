@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict
 from typing import TYPE_CHECKING, NamedTuple
 
-from stayput.catalogue import phrase, say
+from stayput.catalogue import Phrase, phrase, say
 from stayput.catalogue.names import CONTENTS, DOORS, DRAWERS, PIECES
-from stayput.measures import TensionPole
+from stayput.measures import Measure, TensionPole
 from stayput.measures.wall import WallDevice
 from stayput.model.parameters import GIVEN, parameter_of
 from stayput.report.names import named
@@ -17,10 +18,6 @@ from stayput.verification.events import CELL, PASSAGE
 from stayput.verification.options import building_tag, floor_tag, furniture_tag
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
-
-    from stayput.catalogue import Phrase
-    from stayput.measures import Measure
     from stayput.model.room import Ceiling, Room, Wall
     from stayput.scenario import Scenario
     from stayput.scenario.measures import UncertaintyTable

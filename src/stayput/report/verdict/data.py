@@ -3,33 +3,29 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import stayput
 from stayput.catalogue import LANGUAGES
-from stayput.fragility.curve import METHOD
-from stayput.measures import parameters
+from stayput.fragility.curve import METHOD, FragilityCurve
+from stayput.measures import Measure, parameters
 from stayput.measures.measure import MEANINGS
 from stayput.motion.intensity import intensity_class
 from stayput.report.summary import attributes, by_language, number
 from stayput.report.verdict.assumptions import assumptions, told
 from stayput.report.verdict.tables import contents_data
-from stayput.verification.notes import everyday_cases, notes
+from stayput.verification.notes import Estimates, everyday_cases, notes
 from stayput.verification.options import inputs
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from stayput.fragility.curve import FragilityCurve
     from stayput.fragility.paired import Difference
     from stayput.fragility.probabilities import Probability
-    from stayput.measures import Measure
     from stayput.montecarlo.counting import Quantiles
     from stayput.scenario import Scenario
     from stayput.scenario.option import Option
     from stayput.verification import Verdict
-    from stayput.verification.notes import Estimates
     from stayput.verification.people import People
     from stayput.verification.verdict import DeviceSummary, OptionVerdict, PieceVerdict
 

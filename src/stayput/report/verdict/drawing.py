@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from stayput.measures import hold, sketch
+from stayput.measures import Held, hold, sketch
 from stayput.measures.element import at_rest
 from stayput.model.state import State, standing_corners, wall_faces
 from stayput.report.names import named
@@ -13,9 +14,6 @@ from stayput.report.verdict import svg
 from stayput.report.verdict.numbers import word
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from stayput.measures import Held
     from stayput.verification import Verdict
     from stayput.verification.verdict import OptionVerdict
 

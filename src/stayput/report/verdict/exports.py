@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stayput.catalogue import phrase, say
 from stayput.files import folder_draft
-from stayput.fragility.curve import METHOD, CurveState
+from stayput.fragility.curve import METHOD, CurveState, FragilityCurve
 from stayput.fragility.exports import demand_of, identifiers, nrml_xml, pelicun_csv
-from stayput.fragility.intensity_measures import JMA_INTENSITY
+from stayput.fragility.intensity_measures import JMA_INTENSITY, IntensityMeasure
 from stayput.report.fragility import plot_fragility
 from stayput.report.summary import number
 from stayput.report.verdict.assumptions import motions_told
@@ -20,11 +22,6 @@ from stayput.spreadsheets import CSV_ENCODING, csv_text
 from stayput.verification.words import title
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-    from pathlib import Path
-
-    from stayput.fragility.curve import FragilityCurve
-    from stayput.fragility.intensity_measures import IntensityMeasure
     from stayput.verification import Verdict
 
 POINTS = 101

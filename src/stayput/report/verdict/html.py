@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import shlex
+from collections.abc import Iterable, Iterator
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
 from stayput.catalogue import phrase, say
 from stayput.catalogue.names import STABILITY
-from stayput.fragility.curve import CurveState
+from stayput.fragility.curve import CurveState, FragilityCurve
 from stayput.fragility.intensity_measures import JMA_INTENSITY
-from stayput.measures import parameters
-from stayput.montecarlo.counting import OVERTURNED
+from stayput.measures import Measure, parameters
+from stayput.montecarlo.counting import OVERTURNED, Member
 from stayput.report.animation import film_of, player_page
 from stayput.report.figures import classes_between, embedded
 from stayput.report.fonts import drawable
@@ -23,7 +25,7 @@ from stayput.report.page import framed, rendered, write_page
 from stayput.report.plot import plot_run
 from stayput.report.summary import sentences_of_piece
 from stayput.report.verdict import numbers, svg
-from stayput.report.verdict.assumptions import assumptions, told
+from stayput.report.verdict.assumptions import Assumption, assumptions, told
 from stayput.report.verdict.drawing import drawing_svg
 from stayput.report.verdict.numbers import word, word_of
 from stayput.report.verdict.tables import (
@@ -42,13 +44,6 @@ from stayput.verification.contest import drawn_run
 from stayput.verification.words import class_label, title
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
-    from pathlib import Path
-
-    from stayput.fragility.curve import FragilityCurve
-    from stayput.measures import Measure
-    from stayput.montecarlo.counting import Member
-    from stayput.report.verdict.assumptions import Assumption
     from stayput.simulation.run import Run
     from stayput.verification import Verdict
     from stayput.verification.verdict import OptionVerdict

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -13,6 +14,7 @@ from stayput.report.verdict.numbers import NO_NUMBER, word, word_of
 from stayput.report.verdict.tables import (
     DEVICE_COLUMNS,
     SHARES,
+    RankingRow,
     device_rows,
     estimate_rows,
     event_headings,
@@ -25,9 +27,6 @@ from stayput.verification.words import title
 from stayput.wording import with_aside
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
-
-    from stayput.report.verdict.tables import RankingRow
     from stayput.verification import Verdict
 
 

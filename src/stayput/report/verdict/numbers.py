@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import TEXTS, say
-from stayput.fragility.probabilities import percent
+from stayput.fragility.probabilities import Probability, percent
 from stayput.verification.words import length as length_of
 from stayput.wording import FAR, is_open
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from stayput.fragility.curve import Capacity
     from stayput.fragility.paired import Difference
-    from stayput.fragility.probabilities import Probability
     from stayput.model.room import Room
     from stayput.montecarlo.counting import Quantiles
     from stayput.verification import Verdict

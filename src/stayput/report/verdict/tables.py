@@ -5,10 +5,10 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from stayput.catalogue import say
+from stayput.catalogue import Phrase, say
 from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures.measure import MEANINGS
-from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED
+from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED, Quantiles
 from stayput.report.names import place_named
 from stayput.report.summary import number
 from stayput.report.verdict import numbers
@@ -20,10 +20,8 @@ from stayput.verification.words import length, reason, title
 from stayput.wording import with_aside
 
 if TYPE_CHECKING:
-    from stayput.catalogue import Phrase
     from stayput.fragility.curve import Capacity
     from stayput.fragility.probabilities import Probability
-    from stayput.montecarlo.counting import Quantiles
     from stayput.verification import Verdict
     from stayput.verification.contents import ContentsVerdict
     from stayput.verification.verdict import DeviceSummary, OptionVerdict
