@@ -12,7 +12,7 @@ from browsing import opened
 from serving import AS_BEFORE
 
 from stayput.app.presets import ROOM_SCENE
-from stayput.simulation.stability import MAY_FALL_FROM, expected
+from stayput.simulation.space_fate import MAY_FALL_FROM, expected
 from stayput.verification.room_words import tags
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ import numpy as np
 from browsing import opened
 
 import stayput as sp
-from stayput.app.refusals import RefusedError
+from stayput.app.messages import RefusedError
 from waiting import wait_until
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from stayput.app.limits import Limits
-from stayput.app.refusals import RefusedError
+from stayput.app.messages import RefusedError
 from stayput.app.verification import runs_of, with_options
 from stayput.contents.contents import Contents
 from stayput.scenario import Scenario

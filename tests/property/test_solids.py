@@ -14,8 +14,15 @@ from hypothesis import strategies as st
 
 from stayput import Body
 from stayput.errors import InputError
-from stayput.model.inertia import inertia_of, principal_axes
-from stayput.model.polyhedron import TOLERANCE, convex_hull, size_of, triangulated, uniform_solid
+from stayput.model.polyhedron import (
+    TOLERANCE,
+    convex_hull,
+    inertia_of,
+    principal_axes,
+    size_of,
+    triangulated,
+    uniform_solid,
+)
 from stayput.model.solid import Solid
 
 trimesh = pytest.importorskip("trimesh", reason="trimesh is not installed")

@@ -13,8 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from stayput.motion.integrals import displacement, velocity
-from stayput.motion.processing import QUANTUM, ending_at_rest
+from stayput.motion.processing import QUANTUM, displacement, ending_at_rest, velocity
 from stayput.motion.suites.families import FAMILIES, Draws
 from stayput.motion.suites.synthesis import synthetic_motion, synthetic_suite
 

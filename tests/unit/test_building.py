@@ -13,7 +13,7 @@ from stayput.building.building import STRUCTURES, Building, Isolation
 from stayput.building.model import ShearModel
 from stayput.building.modes import ai_distribution, spectral_factor, storey_stiffnesses, weight_above
 from stayput.cli import app
-from stayput.motion.integrals import peak_velocity
+from stayput.motion.processing import peak_velocity
 
 GROUND = sp.near_fault()
 TWO = ShearModel([2.0, 1.0], [900.0, 400.0], 0.05)

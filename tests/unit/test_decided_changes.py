@@ -13,7 +13,7 @@ import stayput as sp
 from long_cases import long
 from stayput.measures import Belt, LBracket
 from stayput.report.room.card import plan_html
-from stayput.rooms.decisions import changes_between
+from stayput.rooms.steps import changes_between
 from stayput.verification.changes import Change
 
 ROOM: dict[str, Any] = {

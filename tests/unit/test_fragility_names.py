@@ -11,12 +11,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from stayput import InputError
-from stayput.files import name_part
-from stayput.fragility.exports import plain_names
+from stayput.files import harmless, name_part
 from stayput.fragility.intensity_measures import INTENSITY_MEASURES
 from stayput.report.verdict import exports
+from stayput.report.verdict.exports import plain_names
 from stayput.scenario.option import Option
-from stayput.spreadsheets import harmless
 
 PGA = INTENSITY_MEASURES["PGA"]
 NAMES = st.text(st.characters(exclude_categories=("Cs",)), min_size=1, max_size=200)

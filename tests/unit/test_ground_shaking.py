@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.app.refusals import RefusedError
+from stayput.app.messages import RefusedError
 from stayput.app.running import shaking_reply
 from stayput.app.server import create_app
 from stayput.catalogue import say

@@ -14,12 +14,12 @@ SOURCES = Path(stayput.__file__).parent
 
 LAYERS = (
     {"catalogue", "errors"},
-    {"extras", "files", "saved", "wording", "spreadsheets", "vocabulary"},
+    {"extras", "files", "saved", "wording", "vocabulary"},
     {"progress", "execution", "uncertainty"},
     {"compiling"},
     {"mechanics", "model"},
     {"motion"},
-    {"building", "measures", "estimates", "everyday", "standards"},
+    {"building", "measures", "estimates", "standards"},
     {"simulation", "fragility"},
     {"contents"},
     {"montecarlo", "scenario"},

@@ -8,7 +8,7 @@ import numpy as np
 from test_rooms import changed
 
 from stayput.model.floor_plan import FACING
-from stayput.simulation.tracks import outline_of
+from stayput.simulation.groups import outline_of
 from stayput.verification.changes import FreeFloor, other_places, overlap, passages, places_at_walls
 
 

@@ -16,11 +16,11 @@ from report_runs import falling
 from space_runs import spinning
 from verdict_cases import made
 
+from stayput.files import csv_text
 from stayput.report.animation import film_of, player_page
 from stayput.report.page import canvas_files, script_json, script_module
 from stayput.report.verdict.exports import curves_csv, observed_csv
 from stayput.report.verdict.tables import verdict_csv
-from stayput.spreadsheets import csv_text
 
 if TYPE_CHECKING:
     import stayput as sp

@@ -29,7 +29,7 @@ from stayput.report.room.sheet import (
 )
 from stayput.report.verdict import numbers
 from stayput.scenario import Scenario
-from stayput.simulation.stability import Stability
+from stayput.simulation.space_fate import Stability
 from stayput.verification import Verdict
 from stayput.verification.changes import Change, with_changes
 from stayput.verification.events import CELL, Zones

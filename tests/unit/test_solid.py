@@ -13,8 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from stayput import Body
 from stayput.errors import InputError
-from stayput.model.inertia import inertia_of
-from stayput.model.polyhedron import convex_hull, size_of, triangulated, uniform_solid
+from stayput.model.polyhedron import convex_hull, inertia_of, size_of, triangulated, uniform_solid
 from stayput.model.shapes import SIDES
 from stayput.model.solid import MOST_VERTICES, Solid
 

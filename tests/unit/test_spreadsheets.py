@@ -6,8 +6,8 @@ import io
 import pytest
 
 import stayput as sp
+from stayput.files import csv_text, harmless
 from stayput.report.verdict.tables import verdict_csv
-from stayput.spreadsheets import csv_text, harmless
 from stayput.verification import verify
 
 

@@ -8,8 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from stayput.motion.integrals import displacement, velocity
-from stayput.motion.processing import QUANTUM, ending_at_rest
+from stayput.motion.processing import QUANTUM, displacement, ending_at_rest, velocity
 from stayput.motion.response import mean_period
 from stayput.motion.suites.families import ETA, FAMILIES, PointSource, SoilLayer, saragoni_hart
 from stayput.motion.suites.synthesis import synthetic_suite

@@ -17,7 +17,6 @@ from typer.testing import CliRunner
 import stayput as sp
 from stayput.app.running import shaking_reply
 from stayput.cli import app
-from stayput.fragility.exports import demand_of
 from stayput.fragility.intensity_measures import (
     FLOOR_JMA,
     JMA_INTENSITY,
@@ -31,6 +30,7 @@ from stayput.fragility.intensity_measures import (
 from stayput.motion.ground_shaking import mercalli_of
 from stayput.report.plot import plot_run
 from stayput.report.verdict.data import verdict_data
+from stayput.report.verdict.exports import demand_of
 from stayput.report.verdict.html import curves_svg, report_html
 from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.tables import verdict_csv

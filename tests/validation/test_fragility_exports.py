@@ -26,7 +26,6 @@ from scipy.stats import lognorm
 
 from stayput import InputError
 from stayput.fragility.curve import CurveState, FragilityCurve, fragility_curve
-from stayput.fragility.exports import NAMESPACE, lognormal_moments, pelicun_csv, write_nrml, write_pelicun
 from stayput.fragility.intensity_measures import (
     JMA_INTENSITY,
     MMI,
@@ -38,6 +37,13 @@ from stayput.fragility.intensity_measures import (
     spectral_acceleration,
 )
 from stayput.fragility.trials import Trials
+from stayput.report.verdict.exports import (
+    NAMESPACE,
+    lognormal_moments,
+    pelicun_csv,
+    write_nrml,
+    write_pelicun,
+)
 
 if TYPE_CHECKING:
     from pathlib import Path

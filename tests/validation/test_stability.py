@@ -13,7 +13,7 @@ from stayput.report.animation import film_of, player_page
 from stayput.report.film.scene import posed
 from stayput.report.page import inks_css
 from stayput.report.palette import STABILITY_COLOURS, stability_looks
-from stayput.simulation.stability import (
+from stayput.simulation.space_fate import (
     FALLS_FROM,
     MAY_FALL_FROM,
     Stability,

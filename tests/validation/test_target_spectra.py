@@ -9,7 +9,7 @@ import pytest
 
 from real_records import MOTIONS, recorded
 from stayput.errors import InputError
-from stayput.motion.integrals import displacement, velocity
+from stayput.motion.processing import displacement, velocity
 from stayput.motion.response import mean_period
 from stayput.motion.suites.suite import Suite, read_suite
 from stayput.motion.suites.synthesis import synthetic_suite

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.everyday import ALL_DRAWERS, LOAD, ONE_DRAWER, PULL
+from stayput.estimates import ALL_DRAWERS, LOAD, ONE_DRAWER, PULL
 
 G = 9.80665
 ROOM = sp.Room(sp.Floor(3.0, 3.0))

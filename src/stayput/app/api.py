@@ -13,24 +13,22 @@ from pydantic import Field
 from starlette.responses import Response
 
 import stayput
-from stayput.app import requests  # noqa: TC001 - FastAPI reads the annotations
+from stayput.app import messages  # noqa: TC001 - FastAPI reads the annotations
 from stayput.app.downloads import KINDS, attachment, film, report_page, run_csv, scene_toml
 from stayput.app.jobs import Job, StoppedError, Turn
+from stayput.app.messages import RefusedError, Reply
 from stayput.app.motions import MotionReply, PreviewReply
 from stayput.app.presets import PresetsReply, presets
-from stayput.app.refusals import RefusedError
-from stayput.app.replies import Reply
 from stayput.app.running import ShakingReply, SimulateReply, shaking_reply, simulated
 from stayput.app.service import OF_BODY, OF_JOB, Service, json_response, of_file, problems
 from stayput.app.verification import EverydayReply, JobReply, everyday_reply, runs_of, with_options
 from stayput.catalogue import LANGUAGES, Language
 from stayput.errors import InputError
+from stayput.files import CSV_ENCODING
 from stayput.report.room.card import plan_html
-from stayput.rooms.decisions import changes_between
 from stayput.rooms.planning import action_plan
-from stayput.rooms.steps import ActionPlan, Home
+from stayput.rooms.steps import ActionPlan, Home, changes_between
 from stayput.scenario.toml import table_of_toml
-from stayput.spreadsheets import CSV_ENCODING
 from stayput.verification import Verdict, verify
 from stayput.verification.compare import LEVELS
 
@@ -92,7 +90,7 @@ def _add_general(router: APIRouter, service: Service) -> None:
         return await service.workers.run(lambda: json_response(presets(service.limits)))
 
     @router.post("/scenario/toml", **of_file(OF_BODY, "application/toml"))
-    async def toml(body: requests.MeasuredRequest) -> Response:
+    async def toml(body: messages.MeasuredRequest) -> Response:
         """Return a scene as a scenario file."""
 
         def work() -> Response:
@@ -102,7 +100,7 @@ def _add_general(router: APIRouter, service: Service) -> None:
         return await service.workers.run(work)
 
     @router.post("/scenario/read", response_model=SceneReply, responses=problems(*OF_BODY))
-    async def read(body: requests.ReadRequest) -> Response:
+    async def read(body: messages.ReadRequest) -> Response:
         """Return a scenario file as a scene."""
 
         def work() -> Response:
@@ -115,7 +113,7 @@ def _add_general(router: APIRouter, service: Service) -> None:
 
 def _add_runs(router: APIRouter, service: Service) -> None:
     @router.post("/simulate", response_model=SimulateReply, responses=problems(*OF_BODY))
-    async def simulate(request: Request, body: requests.RunRequest) -> Response:
+    async def simulate(request: Request, body: messages.RunRequest) -> Response:
         """Run a scene without and with measures, in the plane or in space; several pieces in space."""
 
         def work(_left: Stop) -> Response:
@@ -127,7 +125,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
         return await service.while_awaited(workers, request, work)
 
     @router.post("/simulate/csv", **of_file(OF_BODY, "text/csv"))
-    async def simulate_csv(request: Request, body: requests.RunRequest, which: Which = "without") -> Response:
+    async def simulate_csv(request: Request, body: messages.RunRequest, which: Which = "without") -> Response:
         """Run a scene without or with measures; return its histories at the record's samples."""
 
         def work(_left: Stop) -> Response:
@@ -141,7 +139,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
     @router.post("/simulate/film", **of_file((*OF_BODY, 404, 409), *films))
     async def simulate_film(
         request: Request,
-        body: requests.RunRequest,
+        body: messages.RunRequest,
         which: Which = "without",
         kind: Annotated[Literal["html", "gif", "mp4"], Query()] = "html",
         lang: Annotated[Language, Query()] = "en",
@@ -173,14 +171,14 @@ def _add_runs(router: APIRouter, service: Service) -> None:
         return await service.while_awaited(service.slow, request, work)
 
     @router.post("/shaking", response_model=ShakingReply, responses=problems(*OF_BODY))
-    async def strength(body: requests.SceneRequest) -> Response:
+    async def strength(body: messages.SceneRequest) -> Response:
         """Return how strongly the ground shakes in a scene, as a JMA intensity with its scatter."""
         return await service.workers.run(lambda: json_response(shaking_reply(service.shaken(body.scene))))
 
 
 def _add_jobs(router: APIRouter, service: Service) -> None:
     @router.post("/verify", status_code=202, response_model=JobReply, responses=problems(*OF_BODY, 429))
-    async def start(body: requests.VerifyRequest) -> Response:
+    async def start(body: messages.VerifyRequest) -> Response:
         """Begin a verification: it goes on as a job."""
 
         def prepare() -> tuple[Scenario, list[float], int]:
@@ -193,7 +191,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
         return service.begun(partial(verify, levels=levels), body, scenario, runs)
 
     @router.post("/room", status_code=202, response_model=JobReply, responses=problems(*OF_BODY, 429))
-    async def start_room(body: requests.RoomRequest) -> Response:
+    async def start_room(body: messages.RoomRequest) -> Response:
         """Begin the verification of a room: it goes on as a job, whose result gets better while it runs."""
 
         def prepare() -> tuple[Scenario, int, Scenario | None]:
@@ -205,13 +203,13 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
         return service.begun(partial(verify, changes=body.changes), body, scenario, runs, before)
 
     @router.get("/jobs/{name}", response_model=JobReply, responses=problems(404, 422, 503))
-    async def get_job(name: requests.Name) -> Response:
+    async def get_job(name: messages.Name) -> Response:
         """Return how a job stands, and its verdict once it is done."""
         job = service.jobs.get(name)
         return await service.workers.run(lambda: json_response(service.reply_of(job)))
 
     @router.delete("/jobs/{name}", response_model=JobReply, responses=problems(404, 422, 503))
-    async def cancel_job(name: requests.Name) -> Response:
+    async def cancel_job(name: messages.Name) -> Response:
         """Stop a job; forget one that has ended."""
         job = service.jobs.cancel(name)
         return await service.workers.run(lambda: json_response(service.reply_of(job)))
@@ -219,7 +217,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     refusals = problems(*OF_BODY, 404, 409)
 
     @router.put("/jobs/{name}/everyday", response_model=EverydayReply, responses=refusals)
-    async def put_everyday(name: requests.Name, body: requests.SceneRequest) -> Response:
+    async def put_everyday(name: messages.Name, body: messages.SceneRequest) -> Response:
         """Put another scene's everyday use into a verdict that is done, whose runs it has no part in."""
         service.done(name, of_room=False)
         scenario = await service.workers.run(service.lone_piece, body.scene)
@@ -231,7 +229,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
 
     @router.get("/jobs/{name}/report", **of_file(OF_JOB, "text/html"))
     async def report(
-        request: Request, name: requests.Name, lang: Annotated[Language, Query()] = "en"
+        request: Request, name: messages.Name, lang: Annotated[Language, Query()] = "en"
     ) -> Response:
         """Return the report of a job: one HTML file."""
         job, verdict = service.done(name)
@@ -245,7 +243,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
         return await service.while_awaited(service.slow, request, work)
 
     @router.get("/jobs/{name}/csv", **of_file(OF_JOB, "text/csv"))
-    async def table(name: requests.Name) -> Response:
+    async def table(name: messages.Name) -> Response:
         """Return the ranking of a job as a table."""
         _, verdict = service.done(name)
         file = "stayput_ranking.csv" if verdict.scenario.plan is None else "stayput_room.csv"
@@ -257,7 +255,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
 def _add_plans(router: APIRouter, service: Service) -> None:
     @router.get("/jobs/{name}/plan", **of_file(OF_JOB, "text/html"))
     async def plan(
-        request: Request, name: requests.Name, home: AskedHome, lang: Annotated[Language, Query()] = "en"
+        request: Request, name: messages.Name, home: AskedHome, lang: Annotated[Language, Query()] = "en"
     ) -> Response:
         """Return what to buy and do in the room of a job: one page to print."""
         job, verdict = service.done(name, of_room=True)
@@ -281,7 +279,7 @@ def _add_plans(router: APIRouter, service: Service) -> None:
     refusals = problems(404, 409, 422)
 
     @router.get("/jobs/{name}/plan/progress", response_model=PlanProgressReply, responses=refusals)
-    async def progress(name: requests.Name, home: AskedHome) -> Response:
+    async def progress(name: messages.Name, home: AskedHome) -> Response:
         """Return how far a plan has come that another request is waiting for, or whether it is there."""
         job, _ = service.done(name, of_room=True)
         made = f"{LANGUAGES[0]} {home}" in job.reports
@@ -317,19 +315,19 @@ def _plan(
 
 def _add_motions(router: APIRouter, service: Service) -> None:
     @router.post("/motions", status_code=201, response_model=MotionReply, responses=problems(*OF_BODY, 429))
-    async def add(upload: Annotated[requests.Upload, Form(media_type="multipart/form-data")]) -> Response:
+    async def add(upload: Annotated[messages.Upload, Form(media_type="multipart/form-data")]) -> Response:
         """Upload a record; it is kept for a while under the id that is returned."""
         stored = await service.motions.add(upload)
         return await service.workers.run(lambda: json_response(service.motions.about(stored), 201))
 
     @router.get("/motions/{name}", response_model=MotionReply, responses=problems(404, 422, 503))
-    async def about(name: requests.Name, component: ComponentQuery = None) -> Response:
+    async def about(name: messages.Name, component: ComponentQuery = None) -> Response:
         """Return what is known of an uploaded motion."""
         stored = await service.motions.with_component(name, component)
         return await service.workers.run(lambda: json_response(service.motions.about(stored)))
 
     @router.get("/motions/{name}/preview", response_model=PreviewReply, responses=problems(404, 422, 503))
-    async def preview(name: requests.Name, component: ComponentQuery = None) -> Response:
+    async def preview(name: messages.Name, component: ComponentQuery = None) -> Response:
         """Return the outline of an uploaded motion."""
         stored = await service.motions.with_component(name, component)
         return await service.workers.run(lambda: json_response(service.motions.preview(stored.motion)))
@@ -337,7 +335,7 @@ def _add_motions(router: APIRouter, service: Service) -> None:
     refusals = problems(404, 409, 422)
 
     @router.delete("/motions/{name}", status_code=204, responses=refusals, response_class=Response)
-    async def remove(name: requests.Name) -> Response:
+    async def remove(name: messages.Name) -> Response:
         """Forget an uploaded motion."""
         service.motions.remove(name)
         return Response(status_code=204)

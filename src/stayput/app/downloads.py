@@ -16,8 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 from starlette.responses import Response
 
+from stayput.app.messages import refused
 from stayput.app.middleware import REPORT_POLICY
-from stayput.app.refusals import refused
 from stayput.app.running import own_measures, runs_of
 from stayput.report.animation import animate_run
 from stayput.report.names import names_of

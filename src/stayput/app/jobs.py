@@ -20,7 +20,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, NamedTuple, ParamSpec, Protocol, TypeVar
 from weakref import WeakValueDictionary
 
-from stayput.app.refusals import RefusedError, refused, unprinted
+from stayput.app.messages import RefusedError, refused, unprinted
 from stayput.errors import InputError
 from stayput.execution import Stop
 

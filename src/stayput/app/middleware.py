@@ -15,7 +15,7 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.requests import ClientDisconnect
 
 from stayput.app.jobs import CLIENT, CLIENT_HEADER, Client
-from stayput.app.refusals import RefusedError, error_response, refused
+from stayput.app.messages import RefusedError, error_response, refused
 from stayput.errors import InputError
 
 if TYPE_CHECKING:

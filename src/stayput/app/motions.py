@@ -25,10 +25,8 @@ import numpy as np
 from pydantic import Field
 
 from stayput.app.jobs import CLIENT, Client, Workers, first_to_go
+from stayput.app.messages import ID, Problem, RefusedError, Reply, Upload, problem, refused
 from stayput.app.reader import ReadingResult, ReadingTask
-from stayput.app.refusals import RefusedError, problem, refused
-from stayput.app.replies import Problem, Reply
-from stayput.app.requests import ID, Upload
 from stayput.errors import InputError, InputWarning
 from stayput.motion.floors import upper_floor
 from stayput.motion.intensity import EXCEEDED, intensity_class

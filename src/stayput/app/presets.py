@@ -11,11 +11,11 @@ from pydantic import Field
 
 import stayput
 from stayput.app.downloads import film_kinds
-from stayput.app.replies import Reply, TwoNumbers, Words
+from stayput.app.messages import Reply, TwoNumbers, Words
 from stayput.building.building import STOREY_HEIGHT, STRUCTURES
 from stayput.catalogue import Phrase, names, phrase
 from stayput.errors import InputError
-from stayput.everyday import PRESET_DRAWERS, Everyday
+from stayput.estimates import PRESET_DRAWERS, Everyday
 from stayput.measures import MEASURES, Measure, Parameter, hold, parameters
 from stayput.model.body import FURNITURE, Body, Part, Preset
 from stayput.model.floor_plan import PLACES, Door, FloorPlan, PersonPlace, Window

@@ -10,9 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from stayput.app.messages import RefusedError, Reply, TwoNumbers, Words, refused
 from stayput.app.motions import class_of, intensity_of
-from stayput.app.refusals import RefusedError, refused
-from stayput.app.replies import Reply, TwoNumbers, Words
 from stayput.catalogue import Phrase, phrase
 from stayput.catalogue.names import ANY_PIECE
 from stayput.errors import InputError

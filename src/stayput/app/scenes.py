@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, cast
 
-from stayput.app.refusals import RefusedError, refused
+from stayput.app.messages import RefusedError, refused
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError
 from stayput.model.parameters import parameter_of

@@ -32,10 +32,9 @@ from starlette.staticfiles import StaticFiles
 import stayput
 from stayput.app.api import api
 from stayput.app.limits import Limits
+from stayput.app.messages import RefusedError, described, error_response, refusal_of_request
 from stayput.app.middleware import Guard
 from stayput.app.presets import SCENE, SCENE_MEASURES
-from stayput.app.refusals import RefusedError, error_response, refusal_of_request
-from stayput.app.requests import described
 from stayput.app.running import simulated
 from stayput.app.service import Service
 from stayput.catalogue import LANGUAGES, TEXTS, Language, earthquake, page, phrase, room_page, say

@@ -12,9 +12,8 @@ from typing import TYPE_CHECKING, Any
 from starlette.responses import Response
 
 from stayput.app.jobs import Job, Jobs, StoppedError, Turns, Workers
+from stayput.app.messages import Problem, RefusedError, Reply, VerificationRequest, refused
 from stayput.app.motions import Motions, Readers
-from stayput.app.refusals import RefusedError, refused
-from stayput.app.replies import Problem, Reply
 from stayput.app.scenes import read_scene, short_enough, unchanged, uploaded_motions
 from stayput.app.verification import JobReply, job_reply
 from stayput.catalogue import phrase
@@ -24,7 +23,6 @@ if TYPE_CHECKING:
     from starlette.requests import Request
 
     from stayput.app.limits import Limits
-    from stayput.app.requests import VerificationRequest
     from stayput.scenario import Scenario
     from stayput.verification import Verdict
 

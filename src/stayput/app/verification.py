@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ConfigDict, Field
 
-from stayput.app.refusals import problem
-from stayput.app.replies import Problem, Reply, Words
+from stayput.app.messages import Problem, Reply, Words, problem
 from stayput.app.running import own_measures
 from stayput.app.scenes import motions_of, refusal, too_many
 from stayput.errors import InputError

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stayput.errors import word_of
-from stayput.motion.integrals import peak_velocity
+from stayput.motion.processing import peak_velocity
 from stayput.wording import check_language
 
 if TYPE_CHECKING:

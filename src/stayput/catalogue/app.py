@@ -27,7 +27,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "body_too_slow": ("The body came too slowly.", "送信に時間がかかりすぎました。もう一度お試しください。"),
     "not_json": ("The body is not JSON.", "送信されたデータがJSONではありません。"),
     "not_valid": ("{name}: {message}.", "{name}の値が正しくありません。"),
-    # What is allowed in a body: see stayput.app.refusals
+    # What is allowed in a body: see stayput.app.messages
     "at_least": ("at least {limit:g}", "{limit:g}以上"),
     "at_most": ("at most {limit:g}", "{limit:g}以下"),
     "characters": ("a text of at most {limit} characters", "{limit}文字までの文字列"),

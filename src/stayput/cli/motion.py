@@ -25,8 +25,7 @@ from stayput.cli.messages import note, plain_table, print_json, tell_written, te
 from stayput.cli.streams import check_output, is_stream, to_output, write_text
 from stayput.cli.suite import suite
 from stayput.errors import InputError, InputWarning, not_allowed, unknown, warn
-from stayput.files import PLOT_SUFFIXES, check_target
-from stayput.spreadsheets import csv_text
+from stayput.files import PLOT_SUFFIXES, check_target, csv_text
 
 if TYPE_CHECKING:
     import numpy as np

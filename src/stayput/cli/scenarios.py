@@ -25,9 +25,8 @@ from stayput.cli.flags import (
 from stayput.cli.messages import compiling, note, plain_table, print_json, tell_written, terminal
 from stayput.cli.streams import called, check_output, is_stream, to_output, write_text
 from stayput.errors import InputError, within
-from stayput.files import PLOT_SUFFIXES, check_animation
+from stayput.files import CSV_ENCODING, PLOT_SUFFIXES, check_animation
 from stayput.progress import bar, is_drawn
-from stayput.spreadsheets import CSV_ENCODING
 
 if TYPE_CHECKING:
     from stayput.fragility.intensity_measures import IntensityMeasure

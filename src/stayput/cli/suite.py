@@ -11,9 +11,8 @@ from stayput.catalogue import say
 from stayput.cli.flags import GROUND, FlagValues, LanguageOption, numbers, tables_of_motion, takes, words
 from stayput.cli.messages import note
 from stayput.errors import InputError, not_allowed, unknown
-from stayput.files import folder_draft, name_part
+from stayput.files import CSV_ENCODING, csv_text, folder_draft, name_part
 from stayput.progress import bar
-from stayput.spreadsheets import CSV_ENCODING, csv_text
 from stayput.wording import counted
 
 if TYPE_CHECKING:

@@ -17,9 +17,9 @@ from typing import Any, NamedTuple, cast
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, not_allowed, quoted, shown, unknown
+from stayput.files import named_columns
 from stayput.inventory.folder import unreadable
 from stayput.scenario.toml import read_toml
-from stayput.spreadsheets import named_columns
 
 
 class NumberUnit(NamedTuple):

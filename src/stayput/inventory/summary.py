@@ -20,9 +20,9 @@ from typing import TYPE_CHECKING, Any, cast
 
 from stayput.errors import unknown
 from stayput.extras import arrow
+from stayput.files import CSV_ENCODING, harmless
 from stayput.inventory.plan import REJECTED, ROWS_PER_PART
 from stayput.inventory.results import ENDS, PIECES, Finding, schema
-from stayput.spreadsheets import CSV_ENCODING, harmless
 from stayput.verification.words import SAFE, SMALL
 
 if TYPE_CHECKING:

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from stayput.errors import InputError, within
 from stayput.mechanics.columns import CASE
 from stayput.model.body import Body
-from stayput.model.inertia import moments_of_furniture
 from stayput.model.parameters import GRAVITY, STANDARD_GRAVITY, Parameter, parameters
+from stayput.model.polyhedron import moments_of_furniture
 from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.model.soft_base import landing_factor, narrower_base, rigid_half_base
 from stayput.model.state import State, refuse_bad_start

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stayput.errors import InputError, within
-from stayput.model.inertia import inertia_of, uniform_cone
-from stayput.model.polyhedron import enclosed_volume, triangulated
+from stayput.model.polyhedron import enclosed_volume, inertia_of, triangulated, uniform_cone
 from stayput.model.solid import Solid
 from stayput.model.solid_fields import checked_mass, read_convex_mesh, side
 

@@ -13,11 +13,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stayput.errors import no_length, too_many
-from stayput.model.inertia import inertia_of, principal_axes
 from stayput.model.polyhedron import (
     TOLERANCE,
     check_size,
     convex_hull,
+    inertia_of,
+    principal_axes,
     size_of,
     triangulated,
     uniform_solid,
@@ -208,7 +209,7 @@ class Solid:
     def of_case(cls, case: np.void) -> Solid:
         """Make the box of a row of `CASE`.
 
-        Its moments of inertia are those of `stayput.model.inertia.moments_of_furniture`. Base corners that
+        Its moments of inertia are those of `stayput.model.polyhedron.moments_of_furniture`. Base corners that
         are inset, or at unequal heights, become feet at both ends of the length; the insets are along x
         alone. Over a floor that gives, the feet are those of the narrower base that takes as much energy to
         overturn.

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from stayput.fragility.probabilities import Probability, probability_of_counts
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
-from stayput.simulation.stability import ROCKS, Stability, expected
+from stayput.simulation.space_fate import ROCKS, Stability, expected
 
 OVERTURNED, SLID, HIT_WALL, DEVICE_FAILED = "overturned", "slid", "hit_wall", "device_failed"
 EVENTS = (OVERTURNED, SLID, HIT_WALL, DEVICE_FAILED)

@@ -22,7 +22,7 @@ from stayput.mechanics.devices.columns import HOLDS
 from stayput.montecarlo.runs import Runs
 from stayput.montecarlo.sampling import drawn_floor
 from stayput.montecarlo.scene_draws import DrawOfSeveral, drawn_scene, drawn_shaking
-from stayput.simulation.groups import Group, groups_at_first, run_in_groups
+from stayput.simulation.groups import Group, Track, groups_at_first, run_in_groups
 from stayput.simulation.space import ENDS, names_of, results_of, run_of_trace, trace_groups, trace_together
 from stayput.simulation.space_engine import STEP, SpaceShaking
 
@@ -35,7 +35,6 @@ if TYPE_CHECKING:
     from stayput.simulation.run import Run
     from stayput.simulation.scene import Scene
     from stayput.simulation.space import Trace
-    from stayput.simulation.tracks import Track
 
 
 class GroupRun(NamedTuple):

@@ -14,21 +14,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from stayput.errors import InputError, finite, instance_of, shown, visible, whole_within, within, word_of
 from stayput.files import check_target, draft
-from stayput.motion import integrals
+from stayput.motion import processing
 from stayput.motion.channels import Listing, check_horizontal, motion_fields, one_record
 from stayput.motion.floors import of_the_ground
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class, jma_intensity
-from stayput.motion.processing import (
-    MOST_SAMPLES,
-    STEP_RANGE,
-    check_baseline,
-    checked_record,
-    checked_samples,
-    coarsen,
-    refine,
-    whole_ratio,
-    without_baseline,
-)
 from stayput.motion.response import DAMPING, PERIODS, ResponseSpectrum, spectrum_of_samples
 from stayput.motion.seismogram import channels_of_traces
 from stayput.motion.writers import FORMATS
@@ -116,13 +105,13 @@ class Motion:
         ) -> None: ...
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "dt", within("motion.name_dt", self.dt, *STEP_RANGE, "s", "dt"))
+        object.__setattr__(self, "dt", within("motion.name_dt", self.dt, *processing.STEP_RANGE, "s", "dt"))
         for name in ("name", "source", "floor"):  # a file's header may hold anything
             object.__setattr__(self, name, visible(instance_of(name, getattr(self, name), str)))
         for name in COMPONENTS:
             values = getattr(self, name)
             if name == "x" or values is not None:
-                object.__setattr__(self, name, checked_samples(name, values))
+                object.__setattr__(self, name, processing.checked_samples(name, values))
         for name, values in self.components.items():
             if len(values) != len(self.x):
                 raise InputError("common.so_many_values", name, count=len(values), wanted=len(self.x))
@@ -167,7 +156,7 @@ class Motion:
         """
         if isinstance(value, cls):
             if value.listing is None and not value.synthetic:  # neither checked when it was read nor computed
-                check_baseline(value)
+                processing.check_baseline(value)
             return value
         if isinstance(value, str | PathLike):
             path = repr(str(cast("object", value)))
@@ -200,12 +189,12 @@ class Motion:
     @property
     def velocity(self) -> NDArray[np.float64]:
         """Velocity of x at the samples [m/s], shape (n,)."""
-        return integrals.velocity(self.x, self.dt)
+        return processing.velocity(self.x, self.dt)
 
     @property
     def displacement(self) -> NDArray[np.float64]:
         """Displacement of x at the samples [m], shape (n,)."""
-        return integrals.displacement(self.x, self.dt)
+        return processing.displacement(self.x, self.dt)
 
     @property
     def pga(self) -> float:
@@ -215,22 +204,22 @@ class Motion:
     @property
     def pgv(self) -> float:
         """Largest magnitude of the velocity of x [m/s]."""
-        return integrals.peak_velocity(self.x, self.dt)
+        return processing.peak_velocity(self.x, self.dt)
 
     @property
     def pgd(self) -> float:
         """Largest magnitude of the displacement of x [m]."""
-        return integrals.peak_displacement(self.x, self.dt)
+        return processing.peak_displacement(self.x, self.dt)
 
     @property
     def arias(self) -> float:
         """Arias intensity of x, π/(2g)·∫a² dt [m/s] (Arias 1970)."""
-        return integrals.arias_intensity(self.x, self.dt)
+        return processing.arias_intensity(self.x, self.dt)
 
     @property
     def significant_duration(self) -> float:
         """D5–95 of x: time in which ∫a² dt grows from 5 % to 95 % [s] (Trifunac and Brady 1975)."""
-        return integrals.significant_duration(self.x, self.dt)
+        return processing.significant_duration(self.x, self.dt)
 
     @property
     def intensity(self) -> float:
@@ -314,9 +303,9 @@ class Motion:
         listing = self.listing and self.listing.of(x=name)
         return replace(self, x=self.components[name], y=None, z=None, listing=listing)
 
-    def peaks(self) -> dict[str, integrals.Peaks]:
+    def peaks(self) -> dict[str, processing.Peaks]:
         """Return the peaks of every component that is there, x first."""
-        return {name: integrals.Peaks.of(a, self.dt) for name, a in self.components.items()}
+        return {name: processing.Peaks.of(a, self.dt) for name, a in self.components.items()}
 
     def _each(self, change: Callable[[NDArray[np.float64]], NDArray[np.float64]], **fields: Any) -> Motion:
         changed: dict[str, Any] = {name: change(values) for name, values in self.components.items()}
@@ -387,7 +376,7 @@ class Motion:
 
         A record that does not begin or end at zero is joined to the still part by one time step's ramp.
         """
-        most = MOST_SAMPLES * self.dt
+        most = processing.MOST_SAMPLES * self.dt
         lead, tail = (
             round(within(field, time, 0.0, most, "s", field) / self.dt)
             for field, time in (("before", before), ("after", after))
@@ -403,13 +392,13 @@ class Motion:
         so nothing is folded down; what is faster than that is lost, and up to one new step at the end.
         For any other step do one after the other.
         """
-        longest = min(STEP_RANGE[1], self.duration * (1.0 + 1e-6))  # so that two samples are left
-        step = within("motion.name_dt", dt, STEP_RANGE[0], longest, "s", "dt")
+        longest = min(processing.STEP_RANGE[1], self.duration * (1.0 + 1e-6))  # so that two samples are left
+        step = within("motion.name_dt", dt, processing.STEP_RANGE[0], longest, "s", "dt")
         source = self._note(f"resampled from {self.dt:g} s to {step:g} s")
-        if parts := whole_ratio(self.dt, step):
-            return self._each(lambda a: refine(a, parts), dt=self.dt / parts, source=source)
-        if steps := whole_ratio(step, self.dt):
-            return self._each(lambda a: coarsen(a, steps), dt=step, source=source)
+        if parts := processing.whole_ratio(self.dt, step):
+            return self._each(lambda a: processing.refine(a, parts), dt=self.dt / parts, source=source)
+        if steps := processing.whole_ratio(step, self.dt):
+            return self._each(lambda a: processing.coarsen(a, steps), dt=step, source=source)
         raise InputError("motion.resampling_ratio", "dt", step=step, dt=self.dt)
 
     def baseline_corrected(self, order: int = 1) -> Motion:
@@ -419,7 +408,7 @@ class Motion:
         """
         whole_within("order", order, 0, 5, field="order")
         source = f"baseline of order {order} removed"
-        return self._each(lambda a: without_baseline(a, self.dt, order), source=self._note(source))
+        return self._each(lambda a: processing.without_baseline(a, self.dt, order), source=self._note(source))
 
     @classmethod
     def combine(
@@ -492,4 +481,4 @@ class Motion:
         channels = channels_of_traces(traces, unit, name, location)
         check_horizontal(channels, component, refuse=False)
         motion = cls(**motion_fields(channels, component, f"ObsPy traces [{unit}]"))
-        return checked_record(motion, remove_mean=remove_mean)
+        return processing.checked_record(motion, remove_mean=remove_mean)

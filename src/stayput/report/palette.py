@@ -8,7 +8,7 @@ from __future__ import annotations
 from stayput.catalogue import say
 from stayput.catalogue.names import STABILITY
 from stayput.simulation.outcome import EventKind, Mode
-from stayput.simulation.stability import Stability
+from stayput.simulation.space_fate import Stability
 
 STABILITY_COLOURS: dict[Stability, str] = {
     Stability.STAYS: "#dbe7ef",

@@ -14,7 +14,7 @@ from stayput.model.body import Body
 from stayput.model.state import State, standing_corners, wall_faces
 from stayput.report.figures import FONT, label_axes
 from stayput.report.palette import INK, MUTED, ROLE_COLOURS, ROOM, STABILITY_COLOURS
-from stayput.simulation.stability import Stability
+from stayput.simulation.space_fate import Stability
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -22,7 +22,6 @@ from stayput.measures.floor import SOFT
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class
 from stayput.progress import tally
-from stayput.rooms.decisions import Decisions, decisions_of
 from stayput.rooms.purchases import Purchase, in_number, purchases_of
 from stayput.rooms.step_words import why_not
 from stayput.rooms.steps import (
@@ -30,11 +29,13 @@ from stayput.rooms.steps import (
     SETS,
     ActionPlan,
     ChosenStep,
+    Decisions,
     Fix,
     Home,
     NotTaken,
     PlanStep,
     Trial,
+    decisions_of,
     for_people,
     frees,
     in_order_of_gain,

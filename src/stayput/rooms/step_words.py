@@ -13,7 +13,7 @@ from stayput.measures.wall import WallDevice
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.rooms.steps import ActionPlan, Fix, PlanStep, cost_class_of, fails_to_hold, merit
 from stayput.simulation.placing import placed
-from stayput.simulation.stability import MAY_FALL_FROM
+from stayput.simulation.space_fate import MAY_FALL_FROM
 from stayput.verification.room_words import label_of, people_in, piece_name
 from stayput.verification.words import class_phrase
 from stayput.wording import inside, joined

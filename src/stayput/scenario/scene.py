@@ -1,4 +1,4 @@
-"""What stands where, as a file says it and is read: pieces, the room or the plan around them, and a scene."""
+"""What stands where, as a file says it and is read: pieces, the room or its plan around them, and a scene."""
 
 from __future__ import annotations
 
@@ -16,19 +16,56 @@ from pydantic.json_schema import DEFAULT_REF_TEMPLATE
 from stayput.catalogue import phrase
 from stayput.errors import InputError, no_length, refuse_same_names, within, word_of
 from stayput.measures import hold
-from stayput.model.floor_plan import MOST_PLACES, Door, FloorPlan, Window
+from stayput.model.floor_plan import MOST_PLACES, PLACES, Door, FloorPlan, PersonPlace, Window
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import WALLS_AROUND, Room
-from stayput.scenario.fields import TABLE, Table, Text, between, checked
+from stayput.scenario.fields import TABLE, Table, Text, ValueTable, between, checked, fields_of, named, one_of
 from stayput.scenario.messages import refusal_of
 from stayput.scenario.option import AS_STATED, Option
-from stayput.scenario.pieces import JointTable, PieceTable, in_place
-from stayput.scenario.plan import DoorTable, PlaceTable, PlanTable, WindowTable  # noqa: TC001 - pydantic reads the annotations
+from stayput.scenario.pieces import Coordinate, JointTable, PieceTable, in_place
 from stayput.scenario.tables import RoomTable
 from stayput.simulation.scene import MOST_BODIES, Joint, Scene, refuse_places
 
 if TYPE_CHECKING:
     from stayput.simulation.piece import Piece
+
+
+PointInPlan = Annotated[list[Coordinate], Field(min_length=2, max_length=2)]
+
+
+@fields_of(FloorPlan, but=("walls",))
+class PlanTable(ValueTable):
+    """The size of a room, which goes from the left wall to the right one and from the near to the far one."""
+
+
+@fields_of(Door, defaults={"width": 0.8})
+class DoorTable(ValueTable):
+    """A door."""
+
+    name: Text = Field(default="door", description="What it is called.")
+    way_out: bool = Field(default=True, description="Whether it leads out.")
+
+
+@fields_of(Window, defaults={"width": 1.6})
+class WindowTable(ValueTable):
+    """A window: nothing that is higher than its sill is moved in front of it."""
+
+
+@fields_of(PersonPlace, optional=("width", "length", "low", "high", "day", "night"))
+class PlaceTable(ValueTable):
+    """Where a person is: a bed, a desk, or a box of one's own."""
+
+    name: Text | None = Field(default=None, description="What it is called; default its kind.")
+    kind: Annotated[str, one_of(PLACES), named(PLACES)] = Field(
+        default="bed", description="What gives the sizes, heights and shares that are not given."
+    )
+    at: PointInPlan = Field(description="Its middle, along x and y.")
+
+    def place(self) -> PersonPlace:
+        """Make the place."""
+        stated = self.model_dump(exclude={"name", "kind", "at", "heading"}, exclude_none=True)
+        made = PersonPlace.of(self.kind, (self.at[0], self.at[1]), self.heading, self.name)
+        return replace(made, **stated)
 
 
 @contextmanager

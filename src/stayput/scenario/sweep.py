@@ -20,11 +20,10 @@ from stayput.scenario.scenario import Scenario
 from stayput.scenario.toml import with_value
 from stayput.simulation.case import Case
 from stayput.simulation.grid import make_grid
-from stayput.simulation.many import run_grid
+from stayput.simulation.many import SweepOptions, run_grid, sweep_case
 from stayput.simulation.outcome import QUANTITIES, fill_columns
 from stayput.simulation.space import results_of, trace_scene
 from stayput.simulation.space_engine import SpaceShaking
-from stayput.simulation.sweep import SweepOptions, sweep_case
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -13,7 +13,7 @@ from stayput.building.model import MOST_STOREYS, ShearModel
 from stayput.catalogue import phrase
 from stayput.contents.contents import CONTENTS, Contents
 from stayput.errors import InputError
-from stayput.everyday import CARPET, PRESET_DRAWERS, Everyday
+from stayput.estimates import CARPET, PRESET_DRAWERS, Everyday
 from stayput.model.body import FURNITURE, Part
 from stayput.model.parameters import parameter_of
 from stayput.model.room import SURFACES, WALLS, WALLS_AROUND, Ceiling, Floor, Room, Wall

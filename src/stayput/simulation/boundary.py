@@ -19,9 +19,8 @@ from numpy.typing import ArrayLike, NDArray
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, within, word_of
 from stayput.simulation.grid import Axes, Axis, Columns, Grid, finite_numbers, make_grid
-from stayput.simulation.many import run_grid
+from stayput.simulation.many import run_grid, sweep_case
 from stayput.simulation.outcome import Outcome
-from stayput.simulation.sweep import sweep_case
 
 if TYPE_CHECKING:
     import xarray as xr

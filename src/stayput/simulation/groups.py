@@ -1,25 +1,215 @@
 """Pieces run each by themselves until they meet: what one does has the bits that it has alone.
 
 Pieces run together where they are joined or stand on or close beside each other, and where they come together
-in runs without each other, which are then made again with both.
+in runs without each other, which are then made again with both. Tracks say how bodies moved while they were
+away from where they stood, and so which met. A body that comes back to where it stood takes up no other part
+of the room: samples at which nothing changes, and tracks of less than `STIRS`, are left out.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from functools import reduce
 from itertools import combinations
-from typing import TYPE_CHECKING, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import ConvexHull
 
 from stayput.mechanics.space.touching import ROOM
-from stayput.simulation.convex import separation
+from stayput.simulation.convex import Convex, ConvexShape, separation
 from stayput.simulation.space_engine import MOST_HITS, Gaps, SpaceTrace
-from stayput.simulation.tracks import STIRS, Track, at_rest, body_at, bounds_of, meet
+from stayput.simulation.space_records import frames_of, matrices
 
 if TYPE_CHECKING:
+    from stayput.simulation.piece import Piece
+    from stayput.simulation.run import Run
     from stayput.simulation.scene import Scene
+
+
+STIRS = 0.01
+"""Way of a body's corner up to which it stays where it stood [m]."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Track:
+    """Where a body was in a run.
+
+    Parameters
+    ----------
+    shape : ConvexShape
+        The body.
+    sample : ndarray of int, shape (k,)
+        Samples of the motion at which it has just moved; the first is 0.
+    place : ndarray, shape (k, 3)
+        Of its centre of gravity in the room [m].
+    turn : ndarray, shape (k, 3, 3)
+        The rotation of its frame into the room's.
+    energy : ndarray, shape (k,)
+        Kinetic energy [J].
+    dt : float
+        Time between samples [s].
+    overturned : bool
+        Whether it overturned.
+    """
+
+    shape: ConvexShape
+    sample: NDArray[np.intp]
+    place: NDArray[np.float64]
+    turn: NDArray[np.float64]
+    energy: NDArray[np.float64]
+    dt: float
+    overturned: bool = False
+
+    @property
+    def stays(self) -> bool:
+        """Whether it has not stirred."""
+        return len(self.sample) == 1
+
+    def corners(self, chosen: slice | NDArray[np.intp] = slice(None)) -> NDArray[np.float64]:
+        """Return where its corners are at some of the samples [m], shape (k, n, 3)."""
+        corners = self.shape.corners @ np.swapaxes(self.turn[chosen], 1, 2)
+        return corners + self.place[chosen][:, np.newaxis]
+
+    def outline(self, number: int) -> NDArray[np.float64]:
+        """Return what it covers in plan at the number-th of its samples: corners in order, shape (n, 2)."""
+        return outline_of(self.corners(np.array([number]))[0])
+
+    def shifted(self, shift: NDArray[np.float64]) -> Track:
+        """Return it with everything shifted in plan."""
+        return replace(self, place=self.place + np.array([*shift, 0.0]))
+
+
+def at_rest(piece: Piece, dt: float = 1.0) -> Track:
+    """Return the track of a piece that stays where it stands."""
+    chosen = np.zeros(1, np.intp)
+    shape = ConvexShape.of(piece.solid)
+    return Track(shape, chosen, piece.place[np.newaxis], piece.turn[np.newaxis], np.zeros(1), dt)
+
+
+def outline_of(corners: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the convex outline in plan of points [m], counter-clockwise, shape (n, 2)."""
+    plan = corners[:, :2]
+    return plan[ConvexHull(plan).vertices]
+
+
+def tracks_of(pieces: Sequence[Piece], trace: SpaceTrace | Run, dt: float) -> list[Track]:
+    """Return the tracks of the bodies of a run.
+
+    Parameters
+    ----------
+    pieces : sequence of Piece
+        The bodies.
+    trace : SpaceTrace or Run
+        How they moved.
+    dt : float
+        Time between samples [s].
+    """
+    turns = matrices(frames_of(pieces, trace.attitude))
+    tracks: list[Track] = []
+    for b, piece in enumerate(pieces):
+        shape, place, turn = ConvexShape.of(piece.solid), trace.place[b], turns[b]
+        moved = stirring(shape, place, turn)
+        v, w = trace.velocity[b, moved], trace.rotation_rate[b, moved]
+        spin = np.einsum("kji,kj->ki", turn[moved], w)
+        energy = 0.5 * (
+            shape.mass * np.sum(v * v, axis=1) + np.einsum("ki,ij,kj->k", spin, shape.inertia, spin)
+        )
+        tracks.append(Track(shape, moved, place[moved], np.ascontiguousarray(turn[moved]), energy, dt))
+    return tracks
+
+
+def stirring(shape: ConvexShape, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.intp]:
+    """Return the samples at which a body is elsewhere than at the sample before, and the first."""
+    if not np.isfinite(place).all():
+        return np.zeros(1, np.intp)
+    changes = np.zeros(len(place), np.bool_)
+    for numbers in (*place.T, *turn.reshape(len(turn), -1).T):
+        changes[1:] |= numbers[1:] != numbers[:-1]
+    changes[0] = True
+    moved = np.flatnonzero(changes)
+    reach = np.linalg.norm(shape.corners, axis=1).max()
+    way = np.linalg.norm(place[moved] - place[0], axis=1)
+    way += reach * np.linalg.norm(turn[moved] - turn[0], axis=(1, 2))
+    away = np.flatnonzero(way > STIRS)
+    # up to the sample after the last at which it is away: it may have come back
+    return moved[: away[-1] + 2] if len(away) else moved[:1]
+
+
+def body_at(track: Track, chosen: NDArray[np.intp]) -> Convex:
+    """Return the body of a track at some of its samples."""
+    back = np.swapaxes(track.turn[chosen], 1, 2)
+    return Convex(track.corners(chosen), track.shape.normals @ back, track.shape.edges @ back)
+
+
+def bounds_of(corners: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the least and the most of corners (k, n, 3), shape (k, 3): one by one, as n is small."""
+    one_by_one = np.moveaxis(corners, 1, 0)
+    return reduce(np.minimum, one_by_one), reduce(np.maximum, one_by_one)
+
+
+def meet(track: Track, other: Track) -> bool:
+    """Return whether two pieces come together that were run each by itself under the same motion."""
+    if track.stays and other.stays:
+        return False
+    sample = np.union1d(track.sample, other.sample)
+    first, second = (np.searchsorted(run.sample, sample, side="right") - 1 for run in (track, other))
+    (low, high), (least, most) = bounds_of(track.corners()), bounds_of(other.corners())
+    near = np.all((low[first] <= most[second]) & (high[first] >= least[second]), axis=1)
+
+    def gap_at(k: NDArray[np.intp]) -> NDArray[np.float64]:
+        return separation(body_at(track, first[k]), body_at(other, second[k]))
+
+    return touching_of(sample, near, track.dt, gap_at) is not None
+
+
+class Touching(NamedTuple):
+    """How two bodies touch.
+
+    Parameters
+    ----------
+    time : float
+        When they first touch [s].
+    closing : float
+        How fast they close in then [m/s].
+    places : ndarray of int
+        At which samples they touch.
+    deepest : float
+        How far they are in each other at most [m].
+    """
+
+    time: float
+    closing: float
+    places: NDArray[np.intp]
+    deepest: float
+
+
+def touching_of(
+    sample: NDArray[np.intp],
+    near: NDArray[np.bool_],
+    dt: float,
+    gap_at: Callable[[NDArray[np.intp]], NDArray[np.float64]],
+) -> Touching | None:
+    """Return how two bodies touch from their first overlap after a gap on; ``near``: where they may."""
+    close = np.flatnonzero(near)
+    if not len(close):
+        return None
+    # the sample before each too: the gap there tells how fast it closes
+    chosen = np.unique(np.concatenate([close, np.maximum(close - 1, 0)]))
+    gaps = gap_at(chosen)
+    closes = np.flatnonzero((gaps[1:] <= 0.0) & (gaps[:-1] > 0.0) & (np.diff(chosen) == 1))
+    if not len(closes):
+        return None
+    first = int(closes[0])
+    gap, overlap = float(gaps[first]), -float(gaps[first + 1])
+    # a piece that stood still until then has moved in the last step alone
+    time = dt * (float(sample[chosen[first + 1]]) - overlap / (gap + overlap))
+    together = (gaps[1:] <= 0.0) & (np.arange(1, len(gaps)) > first)
+    deepest = -float(gaps[1:][together].min())
+    return Touching(time, (gap + overlap) / dt, chosen[1:][together], deepest)
+
 
 Group: TypeAlias = tuple[int, ...]
 """Numbers of pieces, in order."""

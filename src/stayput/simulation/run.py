@@ -397,7 +397,7 @@ class Run(InNetcdf):
 
     def to_dataset(self) -> xr.Dataset:
         """Return histories, events and results over ``piece`` and ``time``, with units in attrs."""
-        from stayput.report.dataset import run_to_dataset
+        from stayput.report.summary import run_to_dataset
 
         return run_to_dataset(self)
 

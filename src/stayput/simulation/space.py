@@ -20,14 +20,13 @@ from stayput.mechanics.space.touching import ROOM
 from stayput.model.flat_fields import from_flat_fields
 from stayput.model.parameters import GRAVITY
 from stayput.simulation.case import scene_of
-from stayput.simulation.groups import Group, groups_at_first, joined_traces, run_in_groups
+from stayput.simulation.groups import Group, Track, groups_at_first, joined_traces, run_in_groups, tracks_of
 from stayput.simulation.outcome import OUTCOMES, Hit, Outcome, case_results
 from stayput.simulation.placing import Placed, joint_results, joint_springs, placed, planes_around
 from stayput.simulation.run import PieceRun, Run, default_names
 from stayput.simulation.space_engine import STEP, SpaceShaking, SpaceTrace, run_world
 from stayput.simulation.space_fate import Fate, fates_of, unrolled, upright_yaws
 from stayput.simulation.space_records import frames_of, matrices, surface_of, world_of
-from stayput.simulation.tracks import Track, tracks_of
 from stayput.wording import joined, name_within
 
 if TYPE_CHECKING:
@@ -91,7 +90,7 @@ class Trace(NamedTuple):
         return turns, fates_of(pieces, trace.place, turns, trace.gaps, trace.given_up)
 
     def tracks(self, dt: float) -> list[Track]:
-        """Return where the bodies of a trace `in_room` were; see `stayput.simulation.tracks`."""
+        """Return where the bodies of a trace `in_room` were; see `stayput.simulation.groups`."""
         return tracks_of([body.piece for body in self.bodies], self.trace, dt)
 
     def in_room(self) -> Trace:

@@ -17,10 +17,10 @@ from stayput.measures.wall import REACH, WallDevice, most_on_studs
 from stayput.model.floor_plan import FACING, FloorPlan, PersonPlace, rectangle
 from stayput.scenario.option import Moved, Option
 from stayput.simulation.convex import inside_each_other
+from stayput.simulation.groups import outline_of
 from stayput.simulation.piece import BEHIND, Piece
 from stayput.simulation.placing import placed
 from stayput.simulation.space_engine import DEEPEST
-from stayput.simulation.tracks import outline_of
 from stayput.verification.events import PASSAGE
 
 if TYPE_CHECKING:

@@ -18,9 +18,9 @@ from stayput.montecarlo.scene_draws import draws_of_scenario
 from stayput.montecarlo.scenes import SceneRunner, replay
 from stayput.motion.suites.suite import Suite
 from stayput.simulation.case import Case, run_of
+from stayput.simulation.groups import at_rest
 from stayput.simulation.placing import placed
 from stayput.simulation.space import warn_of_settlement
-from stayput.simulation.tracks import at_rest
 from stayput.verification.events import Watcher
 
 if TYPE_CHECKING:

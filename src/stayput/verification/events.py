@@ -19,7 +19,7 @@ from stayput.mechanics.columns import OVERTURNED_OUTCOME
 from stayput.model.floor_plan import Door, FloorPlan, PersonPlace, rectangle
 from stayput.montecarlo.scenes import Seen
 from stayput.simulation.convex import box_of, separation
-from stayput.simulation.tracks import Touching, Track, at_rest, body_at, bounds_of, touching_of, tracks_of
+from stayput.simulation.groups import Touching, Track, at_rest, body_at, bounds_of, touching_of, tracks_of
 
 if TYPE_CHECKING:
     from stayput.montecarlo.runs import Runs

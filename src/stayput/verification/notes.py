@@ -13,12 +13,14 @@ import numpy as np
 from stayput.catalogue import Phrase, phrase
 from stayput.estimates import (
     LOSS_MODEL_RATIO,
+    Everyday,
+    TipOverCase,
     ishiyama_velocity,
     kaneko_hayashi,
     kaneko_hayashi_velocity,
     rocking_acceleration,
+    tip_over,
 )
-from stayput.everyday import Everyday, TipOverCase, tip_over
 from stayput.execution import Pool
 from stayput.fragility.intensity_measures import PFA, PFV
 from stayput.fragility.probabilities import percent

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 
 from stayput.errors import InputError
 from stayput.model.floor_plan import FACING, PersonPlace
-from stayput.simulation.stability import MAY_FALL_FROM
-from stayput.simulation.tracks import Track, outline_of
+from stayput.simulation.groups import Track, outline_of
+from stayput.simulation.space_fate import MAY_FALL_FROM
 from stayput.verification.changes import (
     Change,
     FreeFloor,

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from stayput.montecarlo.counting import OVERTURNED, Member, Quantiles
 from stayput.saved import InJson
-from stayput.simulation.stability import MAY_FALL_FROM, Stability
+from stayput.simulation.space_fate import MAY_FALL_FROM, Stability
 from stayput.wording import check_language
 
 if TYPE_CHECKING:

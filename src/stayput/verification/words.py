@@ -13,7 +13,7 @@ from stayput.fragility.probabilities import Probability, percent
 from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED, SLID
 from stayput.motion.floors import floor_phrase
 from stayput.motion.intensity import intensity_class
-from stayput.simulation.stability import MAY_FALL_FROM
+from stayput.simulation.space_fate import MAY_FALL_FROM
 from stayput.wording import FAR, inside, is_open, joined, name_within, with_aside
 
 if TYPE_CHECKING:

@@ -22,14 +22,17 @@ from stayput.mechanics.space.body import angular_response, attitude, nudge, plac
 from stayput.mechanics.space.closing import ENTERS_BODIES, TOGETHER, keep, meeting, note_all_gaps
 from stayput.mechanics.space.contact import mobility
 from stayput.mechanics.space.devices import give, note_forces, note_loads
-from stayput.mechanics.space.events import all_stick, first_event, next_switch, switch_now
-from stayput.mechanics.space.notes import (
+from stayput.mechanics.space.events import (
+    all_stick,
+    first_event,
     leaning,
+    next_switch,
     note_hits,
     note_peaks,
     note_pose,
     note_pressing,
     note_weight,
+    switch_now,
 )
 from stayput.mechanics.space.pairs import deepest, place_corners, touch
 from stayput.mechanics.space.rest import (

@@ -13,10 +13,8 @@ from stayput.mechanics.space.body import attitude, drift, place_of, set_attitude
 from stayput.mechanics.space.closing import OPEN, find_contacts, keep
 from stayput.mechanics.space.contact import turns_back
 from stayput.mechanics.space.devices import give, hold, note_forces, stretch
-from stayput.mechanics.space.events import changes, changes_at, gives_way
-from stayput.mechanics.space.impact import bounces, mend
-from stayput.mechanics.space.landing import land
-from stayput.mechanics.space.notes import note_pressing
+from stayput.mechanics.space.events import changes, changes_at, gives_way, note_pressing
+from stayput.mechanics.space.impact import bounces, land, mend
 from stayput.mechanics.space.solve import IMPACT, any_closes_fast, apply, has_slipped, slide, solve
 from stayput.mechanics.space.vectors import added, norm, scaled
 

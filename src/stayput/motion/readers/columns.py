@@ -23,6 +23,7 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, excerpt, shown, unknown, warn, without_control
+from stayput.files import named_columns
 from stayput.motion.channels import LISTED, Channel, in_borehole, is_direction, labels_phrase
 from stayput.motion.readers.headings import Headings, is_time, is_title, read_headings, split, units_in
 from stayput.motion.readers.text import Reader, check_count, lines, not_as_stated, numbers
@@ -40,7 +41,6 @@ from stayput.motion.units import (
     unit_factor,
     without_unit,
 )
-from stayput.spreadsheets import named_columns
 from stayput.wording import joined
 
 _COMMENT = ("#", "%", "//", "!")

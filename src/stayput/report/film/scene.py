@@ -23,8 +23,8 @@ from stayput.report.film.shape import SolidShape, StillShape, rounded, shape_of,
 from stayput.report.history import sampled, with_overturning
 from stayput.report.palette import LINE_COLOURS
 from stayput.simulation.placing import held_body
+from stayput.simulation.space_fate import Stability, over_time
 from stayput.simulation.space_records import matrices, planes_of
-from stayput.simulation.stability import Stability, over_time
 
 if TYPE_CHECKING:
     from stayput.motion.record import Motion

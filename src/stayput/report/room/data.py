@@ -6,12 +6,12 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 import stayput
+from stayput.files import csv_text
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.summary import attributes, by_language, number
 from stayput.report.verdict.data import interval_data, people_data, verdict_data
 from stayput.rooms.purchases import MARGIN, QUANTILE
 from stayput.rooms.step_words import forces_asked, heading, where
-from stayput.spreadsheets import csv_text
 from stayput.verification.room_words import people_in, piece_changed, pieces_in
 
 if TYPE_CHECKING:

@@ -38,7 +38,7 @@ from stayput.verification.room_words import door_name, people_in, piece_name, pl
 if TYPE_CHECKING:
     from stayput.fragility.probabilities import Probability
     from stayput.model.floor_plan import Door, FloorPlan
-    from stayput.simulation.stability import Stability
+    from stayput.simulation.space_fate import Stability
     from stayput.verification.changes import Change
     from stayput.verification.verdict import Verdict
 

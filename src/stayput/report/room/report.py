@@ -18,7 +18,7 @@ from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import assumptions
 from stayput.report.verdict.html import shared_content
 from stayput.report.verdict.markdown import plain, table
-from stayput.simulation.stability import FALLS_FROM, MAY_FALL_FROM
+from stayput.simulation.space_fate import FALLS_FROM, MAY_FALL_FROM
 from stayput.verification.events import PASSAGE
 from stayput.verification.people import DAY_HOURS, HitVerdict
 from stayput.verification.room_words import (

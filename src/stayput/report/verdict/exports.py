@@ -1,8 +1,25 @@
-"""Fragility curves of a verdict as files: tables, a figure, and the forms that loss tools read."""
+"""Fragility curves of a verdict as files: tables, a figure, and the forms that loss tools read.
+
+OpenQuake's fragility model is NRML 0.5. Over a peak a lognormal that fits is written as a continuous
+function, given by mean and standard deviation of the peak itself, not of its logarithm (OpenQuake manual,
+fragility models). Over an intensity (JMA, MMI), and where no lognormal fits, the curve is written as a
+discrete function: its probabilities at the levels. OpenQuake has no measure of a floor's motion, so curves
+over one are refused.
+
+Pelicun, the tool for FEMA P-58 assessments, reads a component library: its damage model parameters (its
+``fragility.csv``), one component a row, whose single limit state LS1 is the fall. A lognormal that fits (in
+an intensity: a normal curve) is written by its parameters, any other curve by its points, as pelicun's
+``multilinear_CDF``. Names of demands and units are those of pelicun 3.10 and its model library.
+"""
 
 from __future__ import annotations
 
+import csv
+import hashlib
+import io
+import math
 import re
+import xml.etree.ElementTree as ET
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -11,18 +28,282 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.catalogue import phrase, say
-from stayput.files import folder_draft
+from stayput.errors import InputError, list_of
+from stayput.files import CSV_ENCODING, check_target, csv_text, draft, folder_draft
 from stayput.fragility.curve import METHOD, CurveState, FragilityCurve
-from stayput.fragility.exports import demand_of, identifiers, nrml_xml, pelicun_csv
-from stayput.fragility.intensity_measures import JMA_INTENSITY, IntensityMeasure
+from stayput.fragility.intensity_measures import (
+    FLOOR_JMA,
+    JMA_INTENSITY,
+    MMI,
+    PFA,
+    PFV,
+    PGA,
+    PGV,
+    IntensityMeasure,
+)
+from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.report.fragility import plot_fragility
 from stayput.report.summary import number
 from stayput.report.verdict.assumptions import motions_told
-from stayput.spreadsheets import CSV_ENCODING, csv_text
 from stayput.verification.words import title
 
 if TYPE_CHECKING:
+    from stayput.fragility.lognormal import LognormalFit
     from stayput.verification import Verdict
+
+
+_LONGEST = 100
+
+
+def identifiers(curves: Sequence[FragilityCurve]) -> list[str]:
+    """Return a name of letters, digits and underscores for each curve; see `plain_names`.
+
+    Raises
+    ------
+    InputError
+        A curve that is not fitted or is of one motion, without a name, or two curves with the same name.
+    """
+    checked = list_of("curves", curves, FragilityCurve)
+    if not checked:
+        raise InputError("common.empty", "curves")
+    for curve in checked:
+        if curve.state is not CurveState.FITTED or curve.one_motion:
+            state = phrase("fragility.of_one_motion") if curve.one_motion else curve.state.phrase
+            raise InputError("fragility.not_fitted", name=repr(curve.name), state=state)
+    return plain_names([curve.name for curve in checked])
+
+
+def plain_names(names: Sequence[str]) -> list[str]:
+    """Return ASCII letters, digits and underscores for each name, all different whatever their case.
+
+    A name that loses a letter so, that is too long or that becomes like another's ends in eight digits of its
+    digest: it is the same in every file, whatever stands beside it there.
+
+    Parameters
+    ----------
+    names : sequence of str
+        The names, in any script.
+
+    Raises
+    ------
+    InputError
+        An empty name, or the same name twice.
+
+    Examples
+    --------
+    >>> plain_names(["l_bracket", "tension_pole + wedge_stopper", "ポールとストッパー"])
+    ['l_bracket', 'tension_pole_and_wedge_stopper', 'measure_31dd036d']
+    """
+    for name in names:
+        if not name or names.count(name) > 1:
+            raise InputError("rooms.same_name", name=repr(name))
+    # pelicun takes a dash as the end of a part of a name
+    plain = [re.sub(r"[^A-Za-z0-9]+", "_", name.replace("+", " and ")).strip("_") for name in names]
+    plain_unique: list[str] = []
+    for name, short in zip(names, plain, strict=True):
+        alike = sum(other.casefold() == short.casefold() for other in plain) > 1
+        lost = any(letter.isalnum() and not letter.isascii() for letter in name)
+        if short and not (alike or lost or len(short) > _LONGEST):
+            plain_unique.append(short)
+        else:
+            digest = hashlib.blake2s(name.encode(errors="surrogatepass"), digest_size=4).hexdigest()
+            plain_unique.append(f"{short[: _LONGEST - 9] or 'measure'}_{digest}")
+    return plain_unique
+
+
+NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"
+"""Namespace of the format."""
+
+LIMIT_STATE = "overturned"
+"""The one limit state."""
+
+DEMANDS = {
+    PGA.key: ("PGA", "Peak Ground Acceleration", "g", 1.0 / STANDARD_GRAVITY),
+    PFA.key: ("", "Peak Floor Acceleration", "g", 1.0 / STANDARD_GRAVITY),
+    PGV.key: ("PGV", "Peak Ground Velocity", "cmps", 100.0),
+    PFV.key: ("", "Peak Floor Velocity", "cmps", 100.0),
+    JMA_INTENSITY.key: ("JMA", "JMA Instrumental Intensity", "unitless", 1.0),
+    FLOOR_JMA.key: ("", "JMA Formula on Floor Motion", "unitless", 1.0),
+    MMI.key: ("MMI", "Modified Mercalli Intensity", "unitless", 1.0),
+}
+"""OpenQuake's name, or "" where it has none; pelicun's name and unit; and the number in that unit (g, cm/s)
+over the SI number, of each measure but Sa.
+
+Pelicun does not know the intensities of itself: its option ``CustomDemandTypes`` must name them.
+"""
+
+_REACH = 4.0
+"""Dispersions on both sides of the median over which a lognormal is written; beyond, OpenQuake keeps its
+ends."""
+
+
+def demand_of(measure: IntensityMeasure) -> tuple[str, str, str, float]:
+    """Return what `DEMANDS` has of a measure, and of Sa."""
+    if measure.period is not None:
+        period = f"{measure.period:g}"
+        return f"SA({period})", f"Spectral Acceleration|{period}", "g", 1.0 / STANDARD_GRAVITY
+    return DEMANDS.get(measure.key, ("", measure.name, measure.unit, measure.shown))
+
+
+def lognormal_moments(median: float, dispersion: float) -> tuple[float, float]:
+    """Return mean θ exp(β²/2) and standard deviation mean·√(exp(β²) − 1) of a lognormal variable."""
+    mean = median * math.exp(0.5 * dispersion**2)
+    return mean, mean * math.sqrt(math.expm1(dispersion**2))
+
+
+def nrml_xml(curves: Sequence[FragilityCurve], description: str = "") -> str:
+    """Return the text of the file: see `write_nrml`."""
+    names = identifiers(curves)
+    root = ET.Element("nrml", xmlns=NAMESPACE)
+    about = {"id": "stayput", "assetCategory": "contents", "lossCategory": "contents"}
+    model = ET.SubElement(root, "fragilityModel", about)
+    text = description or "Overturning of furniture, simulated by stayput"
+    ET.SubElement(model, "description").text = text.encode("ascii", "replace").decode("ascii")
+    ET.SubElement(model, "limitStates").text = LIMIT_STATE
+    for name, curve in zip(names, curves, strict=True):
+        measure, _, _, factor = demand_of(curve.measure)
+        if not measure:
+            allowed = ", ".join((*(key for key, demand in DEMANDS.items() if demand[0]), "SA(T)"))
+            name, over = repr(curve.name), curve.measure.key
+            raise InputError("fragility.not_in_nrml", name=name, measure=over, allowed=allowed)
+        fitted = curve.lognormal
+        if fitted is not None and fitted.fits and not curve.measure.is_logarithm:
+            _add_lognormal(model, name, fitted, measure, factor)
+        else:
+            _add_discrete(model, name, curve, measure, factor)
+    ET.indent(root)
+    return '<?xml version="1.0" encoding="UTF-8"?>\n' + ET.tostring(root, encoding="unicode") + "\n"
+
+
+def _add_lognormal(model: ET.Element, name: str, curve: LognormalFit, imt: str, factor: float) -> None:
+    median, beta = curve.median * factor, curve.dispersion
+    mean, deviation = (repr(moment) for moment in lognormal_moments(median, beta))
+    lowest, highest = (repr(median * math.exp(sign * _REACH * beta)) for sign in (-1.0, 1.0))
+    about = {"id": name, "format": "continuous", "shape": "logncdf"}
+    function = ET.SubElement(model, "fragilityFunction", about)
+    ends = {"imt": imt, "noDamageLimit": lowest, "minIML": lowest, "maxIML": highest}
+    ET.SubElement(function, "imls", ends)
+    ET.SubElement(function, "params", {"ls": LIMIT_STATE, "mean": mean, "stddev": deviation})
+
+
+def _add_discrete(model: ET.Element, name: str, curve: FragilityCurve, imt: str, factor: float) -> None:
+    levels = [f"{level.im * factor:.6g}" for level in curve.levels]
+    function = ET.SubElement(model, "fragilityFunction", {"id": name, "format": "discrete"})
+    ends = {"imt": imt, "noDamageLimit": levels[0]}
+    ET.SubElement(function, "imls", ends).text = " ".join(levels)
+    shares = " ".join(f"{p:.6f}" for p in curve.rising.share)
+    ET.SubElement(function, "poes", {"ls": LIMIT_STATE}).text = shares
+
+
+def write_nrml(curves: Sequence[FragilityCurve], path: str | Path, description: str = "") -> None:
+    """Write fragility curves as an OpenQuake fragility model.
+
+    Parameters
+    ----------
+    curves : sequence of FragilityCurve
+        Fitted curves of several motions with different names, over PGA, PGV, Sa(T), MMI or JMA's intensity.
+    path : str or Path
+        The file, whose name ends in .xml.
+    description : str
+        What the curves are.
+
+    Raises
+    ------
+    InputError
+        A curve that is not fitted, is of one motion or is over a floor's motion, names that are alike, or a
+        path that cannot be written.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.fragility.intensity_measures import PGA
+    >>> trials = sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40])
+    >>> sp.write_nrml([sp.fragility_curve(trials, "bookcase")], "fragility.xml")
+    """
+    text = nrml_xml(curves, description)
+    with draft(check_target(path, (".xml",))) as unfinished:
+        unfinished.write_text(text, encoding="utf-8")
+
+
+HEADER = (
+    *("ID", "Incomplete", "Demand-Type", "Demand-Unit", "Demand-Offset", "Demand-Directional"),
+    *("LS1-Family", "LS1-Theta_0", "LS1-Theta_1"),
+)
+"""Columns of pelicun's file."""
+
+PARTS = 8
+"""Parts from one level to the next of a curve that is written by points."""
+
+
+def pelicun_csv(curves: Sequence[FragilityCurve]) -> str:
+    """Return the text of the file: see `write_pelicun`."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(HEADER)
+    for name, curve in zip(identifiers(curves), curves, strict=True):
+        lognormal = curve.lognormal
+        _, demand, unit, factor = demand_of(curve.measure)
+        if lognormal is None or not lognormal.fits:
+            parameters = ("multilinear_CDF", _points(curve, factor), "")
+        else:
+            # Theta_1 of "lognormal" is the standard deviation of the logarithm, of "normal_std" of the value
+            family = "normal_std" if curve.measure.is_logarithm else "lognormal"
+            parameters = (family, repr(lognormal.median * factor), repr(lognormal.dispersion))
+        writer.writerow((name, 0, demand, unit, 0, 1, *parameters))
+    return text.getvalue()
+
+
+def _points(curve: FragilityCurve, factor: float) -> str:
+    """Return the points of a curve in pelicun's notation: intensities, a bar, shares that rise from 0 to 1.
+
+    Pelicun's CDF is straight in the intensity, the curve in the logarithm of a peak, so it gets points
+    between the levels too. Pelicun keeps six digits of both and wants both to rise: shares do, by 1e-6.
+    """
+    u, share = curve.rising.u, curve.rising.share
+    parts = np.arange((len(u) - 1) * PARTS + 1) / PARTS
+    x = factor * curve.measure.value(np.interp(parts, np.arange(len(u)), u))
+    start = max(curve.measure.least, min(0.0, float(x[0]) - 1.0))
+    x = np.array([start, *x, x[-1] + 1e-3 * (x[-1] - start)])
+    y = np.array([0.0, *np.interp(parts, np.arange(len(u)), share), 1.0])
+    points = dict(zip((f"{value:.5g}" for value in x), y.tolist(), strict=True))  # near ones fall together
+    steps = np.arange(len(points))
+    millionths = np.rint(1e6 * np.array(list(points.values()))) - steps
+    rising = np.minimum(np.maximum.accumulate(millionths), 1e6 - steps[-1]) + steps
+    return f"{','.join(points)}|{','.join(f'{value / 1e6:.6f}' for value in rising)}"
+
+
+def write_pelicun(curves: Sequence[FragilityCurve], path: str | Path) -> None:
+    """Write fragility curves as damage model parameters for pelicun.
+
+    The demand is that of the body's own floor (offset 0) in the direction of the shaking (directional). A
+    curve that no lognormal fits is written by its points (``multilinear_CDF``). That distribution must begin
+    at 0 and end at 1: below the weakest level that was run it rises straight from no shaking (0), and above
+    the strongest one everything falls.
+
+    Parameters
+    ----------
+    curves : sequence of FragilityCurve
+        Fitted curves of several motions with different names, over any measures.
+    path : str or Path
+        The file, whose name ends in .csv.
+
+    Raises
+    ------
+    InputError
+        A curve that is not fitted or is of one motion, names that are alike, or a path that cannot be
+        written.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> from stayput.fragility.intensity_measures import PGA
+    >>> trials = sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40])
+    >>> sp.write_pelicun([sp.fragility_curve(trials, "bookcase")], "fragility.csv")
+    """
+    text = pelicun_csv(curves)
+    with draft(check_target(path, (".csv",))) as unfinished:
+        unfinished.write_text(text, encoding="utf-8")
+
 
 POINTS = 101
 """Points of a curve in the table."""

@@ -6,6 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from stayput.catalogue import Phrase, say
+from stayput.files import csv_text
 from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures.measure import MEANINGS
 from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED, Quantiles
@@ -14,7 +15,6 @@ from stayput.report.summary import number
 from stayput.report.verdict import numbers
 from stayput.report.verdict.numbers import word, word_of
 from stayput.simulation.placing import JOINT, JOINT_LABEL
-from stayput.spreadsheets import csv_text
 from stayput.verification.options import weakest
 from stayput.verification.words import length, reason, title
 from stayput.wording import with_aside
