@@ -9,17 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from stayput.catalogue import phrase, say
-from stayput.cli.flags import (
-    GROUND,
-    FlagValues,
-    LanguageOption,
-    MotionArgument,
-    motion_of,
-    numbers,
-    table_of,
-    tables_of_motion,
-    takes,
-)
+from stayput.cli import flags
 from stayput.cli.help import HelpfulCommand, HelpfulGroup
 from stayput.cli.messages import note, plain_table, print_json, tell_written, terminal
 from stayput.cli.streams import check_output, is_stream, to_output, write_text
@@ -42,23 +32,23 @@ TABLE_PERIODS = (0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10
 """Periods of the table that is printed [s]."""
 
 
-@takes(GROUND)
+@flags.takes(flags.GROUND)
 def info(
-    motion: MotionArgument,
+    motion: flags.MotionArgument,
     *,
-    said: FlagValues,
-    lang: LanguageOption = "",
+    said: flags.FlagValues,
+    lang: flags.LanguageOption = "",
     json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
 ) -> None:
     """Run ``stayput motion info``."""
-    tables = tables_of_motion(motion, said)
+    tables = flags.tables_of_motion(motion, said)
     if (response := respond(tables)) is not None:
         if json:
             print_json(_floors_record(response))
         else:
             _print_floors(response, lang)
         return
-    record = motion_of(tables)
+    record = flags.motion_of(tables)
     if json:
         print_json(_measures(record))
     else:
@@ -181,7 +171,7 @@ def respond(tables: Mapping[str, Any]) -> FloorResponse | None:
     """
     from stayput.scenario import Scenario
 
-    shaking = table_of(tables, "shaking")
+    shaking = flags.table_of(tables, "shaking")
     if "building" not in shaking or "storey" in shaking:
         return None
     table = Scenario.parse({**tables, "shaking": {**shaking, "storey": 1}}).shaking
@@ -253,23 +243,25 @@ def _print_floors(response: FloorResponse, lang: str) -> None:
         paragraph(say("cli.building_energy", lang, component=name, share=share, imbalance=energy.imbalance))
 
 
-@takes(GROUND)
+@flags.takes(flags.GROUND)
 def plot(
-    motion: MotionArgument,
+    motion: flags.MotionArgument,
     out: Annotated[Path, typer.Argument(metavar="OUT", help="cli_help.picture")],
     *,
-    said: FlagValues,
+    said: flags.FlagValues,
     spectra: Annotated[str | None, typer.Option(metavar="STOREY,…", help="cli_help.floor_spectra")] = None,
-    lang: LanguageOption = "",
+    lang: flags.LanguageOption = "",
 ) -> None:
     """Run ``stayput motion plot``."""
     check_target(out, PLOT_SUFFIXES)
-    tables = tables_of_motion(motion, said, out)
+    tables = flags.tables_of_motion(motion, said, out)
     if (response := respond(tables)) is not None:
         from stayput.report.building import building_title, plot_building
 
         parts = [] if spectra is None else spectra.split(",")
-        storeys = [round(storey) for storey in numbers("--spectra", spectra or "", parts, range(99), "3,8")]
+        storeys = [
+            round(storey) for storey in flags.numbers("--spectra", spectra or "", parts, range(99), "3,8")
+        ]
         for storey in storeys:
             response.model.place(storey)
         plot_building(response, out, storeys or None, title=building_title(response, lang), language=lang)
@@ -279,28 +271,28 @@ def plot(
         from stayput.report.names import motion_label
         from stayput.report.plot import plot_motion  # Matplotlib takes its time to load
 
-        record = motion_of(tables)
+        record = flags.motion_of(tables)
         plot_motion(record, out, title=motion_label(record, lang), language=lang)
         _warn_of_drift(record)
     tell_written(lang, out)
 
 
-@takes(GROUND)
+@flags.takes(flags.GROUND)
 def spectrum(
-    motion: MotionArgument,
+    motion: flags.MotionArgument,
     *,
-    said: FlagValues,
+    said: flags.FlagValues,
     damping: Annotated[float, typer.Option(help="cli_help.oscillator_damping")] = 0.05,
     out: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.spectra_out")] = None,
     plot: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.plot_spectra")] = None,
-    lang: LanguageOption = "",
+    lang: flags.LanguageOption = "",
 ) -> None:
     """Run ``stayput motion spectrum``."""
     from stayput.motion.response import PERIODS
 
     check_output(out, (".csv",))
     check_output(plot, PLOT_SUFFIXES, stream=False)
-    record = motion_of(tables_of_motion(motion, said, out, plot))
+    record = flags.motion_of(flags.tables_of_motion(motion, said, out, plot))
     instead = to_output({"--out": out})
 
     def spectra(periods: ArrayLike) -> dict[str, ResponseSpectrum]:
@@ -344,24 +336,24 @@ def _print_spectra(motion: Motion, spectra: dict[str, ResponseSpectrum], lang: s
     console.print(plain_table(headings, rows, justify="right"))
 
 
-@takes(GROUND)
+@flags.takes(flags.GROUND)
 def convert(
-    motion: MotionArgument,
+    motion: flags.MotionArgument,
     out: Annotated[Path, typer.Argument(metavar="OUT", help="cli_help.converted")],
     *,
-    said: FlagValues,
+    said: flags.FlagValues,
     only: Annotated[str | None, typer.Option(metavar="x|y|z", help="cli_help.only")] = None,
     step: Annotated[float | None, typer.Option(help="cli_help.step")] = None,
     form: Annotated[str | None, typer.Option("--format", metavar="csv|at2", help="cli_help.format")] = None,
-    lang: LanguageOption = "",
+    lang: flags.LanguageOption = "",
 ) -> None:
     """Run ``stayput motion convert``."""
     from stayput.motion.writers import FORMATS
 
     check_output(out, tuple(FORMATS))
-    tables = tables_of_motion(motion, said, out)
+    tables = flags.tables_of_motion(motion, said, out)
     ending = _ending(out, form)
-    record = motion_of(tables)
+    record = flags.motion_of(tables)
     if step is not None:
         record = record.resampled(step)
     if only is not None:
@@ -392,5 +384,5 @@ for run in (info, plot, spectrum, convert, suite):
 
 
 @app.callback()
-def _options(lang: LanguageOption = "") -> None:  # pyright: ignore[reportUnusedFunction] - Typer calls it
+def _options(lang: flags.LanguageOption = "") -> None:  # pyright: ignore[reportUnusedFunction] - Typer calls it
     """Take the flags that stand before a command."""

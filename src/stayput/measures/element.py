@@ -10,21 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stayput.catalogue import Phrase, phrase
-from stayput.mechanics.devices.columns import (
-    AXIAL,
-    DRAWN_OUT,
-    DROPPED_OUT,
-    F_NORMAL,
-    F_TANGENT,
-    HOLDS,
-    NONE,
-    NORMAL,
-    PLANAR,
-    PULLED,
-    PUSHED,
-    SHEARED,
-    TANGENT,
-)
+from stayput.mechanics.devices import columns
 from stayput.model.state import State, standing_corners
 
 if TYPE_CHECKING:
@@ -188,7 +174,7 @@ class Element:
         elif self.facing is not None:
             cos, sin = self.facing[1], -self.facing[0]
         return (
-            AXIAL if self.to_anchor is not None else PLANAR,
+            columns.AXIAL if self.to_anchor is not None else columns.PLANAR,
             right - x_g,
             up - z_g,
             self.across,
@@ -233,12 +219,12 @@ def at_rest(body: Body, point: tuple[float, float]) -> tuple[float, float]:
 
 
 CAUSES: dict[int, str | None] = {
-    HOLDS: None,
-    PULLED: "pulled off",
-    PUSHED: "pushed in",
-    SHEARED: "sheared off",
-    DRAWN_OUT: "drawn out",
-    DROPPED_OUT: "dropped out",
+    columns.HOLDS: None,
+    columns.PULLED: "pulled off",
+    columns.PUSHED: "pushed in",
+    columns.SHEARED: "sheared off",
+    columns.DRAWN_OUT: "drawn out",
+    columns.DROPPED_OUT: "dropped out",
 }
 """Why a device failed, by the mechanics' numbers; None: it holds."""
 
@@ -313,16 +299,18 @@ def utilisation(elements: NDArray[np.void], devices: NDArray[np.void]) -> NDArra
     devices : ndarray of DEVICE
         What became of them.
     """
-    shear = np.minimum(elements["limit_plus"][..., TANGENT], elements["limit_minus"][..., TANGENT])
+    shear = np.minimum(
+        elements["limit_plus"][..., columns.TANGENT], elements["limit_minus"][..., columns.TANGENT]
+    )
     pairs = (
-        (devices["peak_pull"], elements["limit_plus"][..., NORMAL]),
-        (devices["peak_push"], elements["limit_minus"][..., NORMAL]),
+        (devices["peak_pull"], elements["limit_plus"][..., columns.NORMAL]),
+        (devices["peak_push"], elements["limit_minus"][..., columns.NORMAL]),
         (devices["peak_shear"], shear),
     )
     used = np.zeros(devices.shape)
     for peak, strength in pairs:
         used = np.maximum(used, np.divide(peak, strength, out=np.zeros_like(used), where=strength > 0.0))
-    return np.where(devices["failure"] != HOLDS, np.maximum(used, 1.0), used)
+    return np.where(devices["failure"] != columns.HOLDS, np.maximum(used, 1.0), used)
 
 
 def weakest(element: Element, devices: NDArray[np.void]) -> Phrase | None:
@@ -335,9 +323,9 @@ def weakest(element: Element, devices: NDArray[np.void]) -> Phrase | None:
     devices : ndarray of DEVICE, shape [m]
         What became of it; forces of any one unit.
     """
-    failed = devices[devices["failure"] != HOLDS]
+    failed = devices[devices["failure"] != columns.HOLDS]
     counted = failed if failed.size else devices
-    dropped = np.count_nonzero(counted["failure"] == DROPPED_OUT)
+    dropped = np.count_nonzero(counted["failure"] == columns.DROPPED_OUT)
     if 2 * dropped > counted.size:
         return phrase("measures.drops_out")
     normal, tangent = element.normal, element.tangent
@@ -349,7 +337,7 @@ def weakest(element: Element, devices: NDArray[np.void]) -> Phrase | None:
 
 def failed(elements: NDArray[np.void], devices: NDArray[np.void]) -> NDArray[np.bool_]:
     """Return which devices failed, of any shape; those that only pad the rows of a case did not."""
-    return (devices["failure"] != HOLDS) & (elements["kind"] != NONE)
+    return (devices["failure"] != columns.HOLDS) & (elements["kind"] != columns.NONE)
 
 
 def device_result(
@@ -367,11 +355,11 @@ def device_result(
         mass * float(device["peak_push"]),
         mass * float(device["peak_shear"]),
         float(used),
-        int(device["failure"]) != HOLDS,
+        int(device["failure"]) != columns.HOLDS,
         float(device["failure_time"]),
         CAUSES[int(device["failure"])],
-        mass * forces[:, F_NORMAL],
-        mass * forces[:, F_TANGENT],
+        mass * forces[:, columns.F_NORMAL],
+        mass * forces[:, columns.F_TANGENT],
         **more,
     )
 

@@ -9,23 +9,8 @@ from typing import TYPE_CHECKING, ClassVar
 
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, within
+from stayput.measures import fixing
 from stayput.measures.element import EDGE, Element, Line, at_rest, damper
-from stayput.measures.fixing import (
-    BELT,
-    BRACKET,
-    CHAIN,
-    FASTENINGS,
-    PRYING,
-    PRYING_STIFFNESS,
-    SCREWS,
-    SPAN,
-    STUD_PITCH,
-    TOP_BOARDS,
-    TOPS,
-    Link,
-    in_series,
-    panel,
-)
 from stayput.measures.measure import BadlyInstalled, Held, Measure, wall_behind
 from stayput.model.parameters import choice, other_default, parameter
 
@@ -51,9 +36,13 @@ class WallDevice(Measure):
     ultimate: float | None = parameter(
         None, "m", 0.0, 0.1, ("plastic elongation at failure", "破断までの塑性伸び")
     )
-    wall: str = choice(AS_ROOM, (AS_ROOM, *FASTENINGS), ("what it is fixed to on the wall", "壁側の取付け先"))
+    wall: str = choice(
+        AS_ROOM, (AS_ROOM, *fixing.FASTENINGS), ("what it is fixed to on the wall", "壁側の取付け先")
+    )
     top: str = choice(
-        "particle board", tuple(TOPS), ("what the furniture's top board is made of", "家具の天板の材質")
+        "particle board",
+        tuple(fixing.TOPS),
+        ("what the furniture's top board is made of", "家具の天板の材質"),
     )
     height: float = parameter(
         1.0,
@@ -70,7 +59,7 @@ class WallDevice(Measure):
 
     def pitches(self, wall: Wall) -> tuple[float, ...]:
         """Return the usual distances between what alone it may be fixed to [m]; none: it may be anywhere."""
-        return STUD_PITCH if self.fixed_to(wall) == "stud" else ()
+        return fixing.STUD_PITCH if self.fixed_to(wall) == "stud" else ()
 
     def cautions(self, body: Body, room: Room) -> tuple[Phrase, ...]:
         """Return that plasterboard hardly holds it, where it is fixed there."""
@@ -81,11 +70,11 @@ class WallDevice(Measure):
 
     def in_a_usual_room(self) -> dict[str, float]:
         """Return what its weakest link comes to on a stud at 1.8 m."""
-        link = self.drawn("stud", 1.8, SPAN)
+        link = self.drawn("stud", 1.8, fixing.SPAN)
         return {"strength": link.strength, "stiffness": link.stiffness, "ultimate": link.ultimate}
 
     @abstractmethod
-    def drawn(self, wall: str, height: float, span: float) -> Link:
+    def drawn(self, wall: str, height: float, span: float) -> fixing.Link:
         """Return one of them with what it is fixed to, drawn from the wall.
 
         Parameters
@@ -96,7 +85,7 @@ class WallDevice(Measure):
             Height of its end on the wall, and the wall's [m].
         """
 
-    def _as_given(self, chain: Link) -> Link:
+    def _as_given(self, chain: fixing.Link) -> fixing.Link:
         """Return the chain of one with what is given in place of what follows from its links."""
         stated = {name: getattr(self, name) for name in ("strength", "stiffness", "ultimate")}
         changed = {name: value for name, value in stated.items() if value is not None}
@@ -107,12 +96,12 @@ class WallDevice(Measure):
 
 def height_of(room: Room) -> float:
     """Return the height of the room's walls [m]."""
-    return SPAN if room.ceiling is None else room.ceiling.height
+    return fixing.SPAN if room.ceiling is None else room.ceiling.height
 
 
 def most_on_studs(length: float) -> int:
     """Return how many devices can be on studs behind a piece of a length [m], one on each."""
-    return math.floor(max(0.0, length - 2.0 * EDGE) / STUD_PITCH[0]) + 1
+    return math.floor(max(0.0, length - 2.0 * EDGE) / fixing.STUD_PITCH[0]) + 1
 
 
 REACH = 0.15
@@ -134,25 +123,25 @@ class Bracket(WallDevice):
         """Return what is left of the strength as it is screwed on."""
         return 1.0
 
-    def drawn(self, wall: str, height: float, span: float) -> Link:
+    def drawn(self, wall: str, height: float, span: float) -> fixing.Link:
         """Return one bracket with what it is fixed to, drawn from the wall; see `WallDevice.drawn`."""
         return self._as_given(
-            in_series(
-                FASTENINGS[wall].pull.times(PRYING, PRYING_STIFFNESS),
-                BRACKET,
-                TOPS[self.top].shear.times(SCREWS),
-                panel(wall, height, span),
+            fixing.in_series(
+                fixing.FASTENINGS[wall].pull.times(fixing.PRYING, fixing.PRYING_STIFFNESS),
+                fixing.BRACKET,
+                fixing.TOPS[self.top].shear.times(fixing.SCREWS),
+                fixing.panel(wall, height, span),
             )
         )
 
-    def pushed_along(self, wall: str) -> Link:
+    def pushed_along(self, wall: str) -> fixing.Link:
         """Return one bracket with what it is fixed to, pushed along the wall.
 
         The screws in the top board bear no pull then: the back of a piece that tips rises, and presses the
         bracket's leg.
         """
-        shear = FASTENINGS[wall].shear.times(SCREWS)
-        return self._as_given(in_series(shear, BRACKET, TOP_BOARDS[self.top]))
+        shear = fixing.FASTENINGS[wall].shear.times(fixing.SCREWS)
+        return self._as_given(fixing.in_series(shear, fixing.BRACKET, fixing.TOP_BOARDS[self.top]))
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with an element from its back to the wall."""
@@ -178,7 +167,7 @@ class Bracket(WallDevice):
         )
         return Held(body, room, (element,), (self,))
 
-    def _line(self, link: Link, mass: float) -> Line:
+    def _line(self, link: fixing.Link, mass: float) -> Line:
         k, most = self.count * link.stiffness, self.count * self._factor() * link.strength
         c, slack = damper(self.damping, k, mass), self.slack
         return Line(k, c, slack, slack, most, most, ultimate=link.ultimate, weakest=link.fails)
@@ -249,7 +238,7 @@ ANGLE = ("rise of the line towards the wall", "壁側への上がり角度")
 class Tie(WallDevice):
     """Something that only pulls, along the line between a point of the piece and one on the wall."""
 
-    itself: ClassVar[Link]
+    itself: ClassVar[fixing.Link]
     """What it is without what it is fixed to."""
 
     slack: float = parameter(0.01, "m", 0.0, 0.5, ("slack", "たるみ"), decides=True)
@@ -265,10 +254,13 @@ class Tie(WallDevice):
         slack = max(self.slack, min(0.5, self.slack + MORE_SLACK))
         return BadlyInstalled(replace(self, slack=slack), phrase("measures.hangs_loose"))
 
-    def drawn(self, wall: str, height: float, span: float) -> Link:
+    def drawn(self, wall: str, height: float, span: float) -> fixing.Link:
         """Return one of them with what it is fixed to, by plates at either end; see `WallDevice.drawn`."""
-        ends = FASTENINGS[wall].pull.times(SCREWS), TOPS[self.top].pull.times(SCREWS)
-        return self._as_given(in_series(*ends, self.itself, panel(wall, height, span)))
+        ends = (
+            fixing.FASTENINGS[wall].pull.times(fixing.SCREWS),
+            fixing.TOPS[self.top].pull.times(fixing.SCREWS),
+        )
+        return self._as_given(fixing.in_series(*ends, self.itself, fixing.panel(wall, height, span)))
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with an element from its top to the wall."""
@@ -316,7 +308,7 @@ class Belt(Tie):
 
     kind: ClassVar[str] = "belt"
 
-    itself: ClassVar[Link] = BELT
+    itself: ClassVar[fixing.Link] = fixing.BELT
 
     count: int = parameter(2, "", 1, 20, ("number of belts", "本数"))
 
@@ -338,7 +330,7 @@ class Chain(Tie):
 
     kind: ClassVar[str] = "chain"
 
-    itself: ClassVar[Link] = CHAIN
+    itself: ClassVar[fixing.Link] = fixing.CHAIN
 
     count: int = parameter(2, "", 1, 20, ("number of chains", "本数"))
     slack: float = other_default(0.02, Tie, "slack")

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stayput.errors import no_length, too_many
+from stayput.model import solid_fields
 from stayput.model.polyhedron import (
     TOLERANCE,
     check_size,
@@ -23,16 +24,6 @@ from stayput.model.polyhedron import (
     triangulated,
     uniform_solid,
     up_at_rest,
-)
-from stayput.model.solid_fields import (
-    Copied,
-    array_of_shape,
-    checked_centre,
-    checked_feet,
-    checked_inertia,
-    checked_mass,
-    checked_rims,
-    read_only,
 )
 
 MOST_VERTICES = 500
@@ -104,16 +95,16 @@ class Solid:
         that no body has.
     """
 
-    vertices: NDArray[np.float64] = cast("Any", Copied())
+    vertices: NDArray[np.float64] = cast("Any", solid_fields.Copied())
     faces: tuple[NDArray[np.int64], ...] = field(init=False)
     mass: float
-    centre_of_gravity: NDArray[np.float64] = cast("Any", Copied())
-    inertia: NDArray[np.float64] = cast("Any", Copied())
-    feet: NDArray[np.float64] | None = cast("Any", Copied())
-    rims: NDArray[np.float64] = cast("Any", Copied())
+    centre_of_gravity: NDArray[np.float64] = cast("Any", solid_fields.Copied())
+    inertia: NDArray[np.float64] = cast("Any", solid_fields.Copied())
+    feet: NDArray[np.float64] | None = cast("Any", solid_fields.Copied())
+    rims: NDArray[np.float64] = cast("Any", solid_fields.Copied())
     base: str
-    normals = cast("NDArray[np.float64]", Copied())  # which follow from the fields, and are none
-    up_at_rest = cast("NDArray[np.float64] | None", Copied())
+    normals = cast("NDArray[np.float64]", solid_fields.Copied())  # which follow from the fields, and are none
+    up_at_rest = cast("NDArray[np.float64] | None", solid_fields.Copied())
     principal: tuple[NDArray[np.float64], NDArray[np.float64]] = field(init=False)
 
     def __init__(
@@ -127,31 +118,31 @@ class Solid:
         rims: ArrayLike = (),
         base: str | None = None,
     ) -> None:
-        points = array_of_shape("vertices", vertices, (None, 3))
+        points = solid_fields.array_of_shape("vertices", vertices, (None, 3))
         check_size(points, "vertices")
         hull = convex_hull(points)
         if len(hull.vertices) > MOST_VERTICES:
             raise too_many(
                 "mechanics.the_body", len(hull.vertices), "solids.corners", MOST_VERTICES, "vertices"
             )
-        mass = checked_mass(mass)
+        mass = solid_fields.checked_mass(mass)
         uniform = uniform_solid(hull.vertices, triangulated(hull.faces))
         usual = mass * inertia_of(uniform.second_moments)
         fields: dict[str, Any] = {
-            "vertices": read_only(hull.vertices),
-            "faces": tuple(read_only(face) for face in hull.faces),
+            "vertices": solid_fields.read_only(hull.vertices),
+            "faces": tuple(solid_fields.read_only(face) for face in hull.faces),
             "mass": mass,
-            "centre_of_gravity": checked_centre(
+            "centre_of_gravity": solid_fields.checked_centre(
                 hull, uniform.centroid if centre_of_gravity is None else centre_of_gravity
             ),
-            "inertia": checked_inertia(hull, mass, usual, usual if inertia is None else inertia),
-            "feet": None if feet is None else checked_feet(hull, feet),
-            "rims": checked_rims(rims),
+            "inertia": solid_fields.checked_inertia(hull, mass, usual, usual if inertia is None else inertia),
+            "feet": None if feet is None else solid_fields.checked_feet(hull, feet),
+            "rims": solid_fields.checked_rims(rims),
             "base": ("flat" if feet is None else "feet") if base is None else base,
         }
-        fields["normals"] = read_only(hull.planes[:, :3])
+        fields["normals"] = solid_fields.read_only(hull.planes[:, :3])
         moments, axes = principal_axes(fields["inertia"])
-        fields["principal"] = read_only(moments), read_only(axes)
+        fields["principal"] = solid_fields.read_only(moments), solid_fields.read_only(axes)
         for name, value in fields.items():
             object.__setattr__(self, name, value)
         object.__setattr__(self, "up_at_rest", self._up_at_rest())
@@ -196,9 +187,9 @@ class Solid:
         tolerance = TOLERANCE * size_of(self.vertices)
         if (rim := self.standing_rim) is not None:
             stands = math.dist(self.centre_of_gravity[:2], rim[:2]) < rim[6]
-            return read_only(np.array([0.0, 0.0, 1.0])) if stands else None
+            return solid_fields.read_only(np.array([0.0, 0.0, 1.0])) if stands else None
         up = up_at_rest(self.base_points, self.centre_of_gravity, tolerance)
-        return None if up is None else read_only(up)
+        return None if up is None else solid_fields.read_only(up)
 
     @property
     def stands(self) -> bool:

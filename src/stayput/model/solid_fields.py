@@ -13,16 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, absent, instance_of, not_allowed, reason_of, unknown, within
+from stayput.model import polyhedron
 from stayput.model.parameters import MASS_RANGE, SIZE_RANGE
-from stayput.model.polyhedron import (
-    TOLERANCE,
-    Hull,
-    check_size,
-    convex_hull,
-    enclosed_volume,
-    size_of,
-    triangulated,
-)
 
 MOST_FEET = 32
 """Most feet of a body."""
@@ -89,18 +81,18 @@ def checked_mass(value: float) -> float:
     return within("solids.mass", value, *MASS_RANGE, "kg", "mass")
 
 
-def checked_centre(hull: Hull, value: ArrayLike) -> NDArray[np.float64]:
+def checked_centre(hull: polyhedron.Hull, value: ArrayLike) -> NDArray[np.float64]:
     """Return the centre of gravity, or refuse one outside the hull."""
     point = array_of_shape("centre_of_gravity", value, (3,))
     depth = float((hull.planes[:, :3] @ point - hull.planes[:, 3]).max())
-    if depth > TOLERANCE * size_of(hull.vertices):
+    if depth > polyhedron.TOLERANCE * polyhedron.size_of(hull.vertices):
         text = f"({', '.join(f'{x:.4g}' for x in point)})"
         raise InputError("solids.cg_outside", "centre_of_gravity", point=text, depth=depth)
     return point
 
 
 def checked_inertia(
-    hull: Hull, mass: float, usual: NDArray[np.float64], value: ArrayLike
+    hull: polyhedron.Hull, mass: float, usual: NDArray[np.float64], value: ArrayLike
 ) -> NDArray[np.float64]:
     """Return the inertia tensor, made symmetric to the bit, or refuse what no body of the shape has."""
     tensor = array_of_shape("inertia", value, (3, 3))
@@ -121,12 +113,12 @@ def checked_inertia(
     return read_only(tensor)
 
 
-def checked_feet(hull: Hull, value: ArrayLike) -> NDArray[np.float64]:
+def checked_feet(hull: polyhedron.Hull, value: ArrayLike) -> NDArray[np.float64]:
     """Return feet, shape (f, 3) [m], or refuse none, too many, or one that is not at the foot of the body."""
     feet = array_of_shape("feet", value, (None, 3))
     within("solids.number_of_feet", len(feet), 1, MOST_FEET, "", "feet")
     low, high = hull.vertices.min(axis=0), hull.vertices.max(axis=0)
-    reach = 0.5 * size_of(hull.vertices)
+    reach = 0.5 * polyhedron.size_of(hull.vertices)
     most = np.array([*(high[:2] + reach), 0.5 * (low[2] + high[2])])
     astray = ((feet < low - reach) | (feet > most)).any(axis=1)
     if astray.any():
@@ -167,7 +159,7 @@ LEAST_FILLED = 0.999
 _USUAL_SIZE = (0.05, 10.0)
 
 
-def read_convex_mesh(file: str | Path, unit: str, up: str) -> Hull:
+def read_convex_mesh(file: str | Path, unit: str, up: str) -> polyhedron.Hull:
     """Return the convex hull of the closed and convex mesh in a file [m].
 
     Parameters
@@ -192,14 +184,14 @@ def read_convex_mesh(file: str | Path, unit: str, up: str) -> Hull:
         raise unknown("solids.up", up, UP, "up")
     instance_of("file", file, (str, os.PathLike))
     corners = UNITS[unit] * _corners(Path(file))[:, UP[up]]
-    check_size(corners, "unit", _hint(size_of(corners), unit))
+    polyhedron.check_size(corners, "unit", _hint(polyhedron.size_of(corners), unit))
     points, triangles = _joined(corners)
     _check_closed(triangles)
-    hull = convex_hull(points)
-    volume = enclosed_volume(points, triangles)
+    hull = polyhedron.convex_hull(points)
+    volume = polyhedron.enclosed_volume(points, triangles)
     if volume <= 0.0:
         raise InputError("solids.mesh_inside_out", "file")
-    share = volume / enclosed_volume(hull.vertices, triangulated(hull.faces))
+    share = volume / polyhedron.enclosed_volume(hull.vertices, polyhedron.triangulated(hull.faces))
     if share < LEAST_FILLED:
         raise InputError("solids.not_convex", "file", share=share, least=LEAST_FILLED)
     return hull
@@ -247,7 +239,9 @@ def _joined(corners: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[
 
     STL has no common corners, and OBJ one for each normal: those at the same place become one vertex.
     """
-    grid: NDArray[np.float64] = np.rint((corners - corners.min(axis=0)) / (SAME_PLACE * size_of(corners)))
+    grid: NDArray[np.float64] = np.rint(
+        (corners - corners.min(axis=0)) / (SAME_PLACE * polyhedron.size_of(corners))
+    )
     _, first, vertex = np.unique(grid, axis=0, return_index=True, return_inverse=True)
     triangles = vertex.reshape(-1, 3).astype(np.int64)
     with_area = (triangles != np.roll(triangles, 1, axis=1)).all(axis=1)

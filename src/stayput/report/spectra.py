@@ -15,17 +15,7 @@ from stayput.errors import word_of
 from stayput.motion.intensity import LONG_PERIOD_BOUNDS, LONG_PERIODS
 from stayput.motion.response import DAMPING, PERIODS, SpectralResponse, fourier_amplitude, konno_ohmachi
 from stayput.motion.suites.suite import Suite, SuiteSpectra
-from stayput.report.figures import (
-    FONT,
-    LINE,
-    colour_beside,
-    label_axes,
-    legend_within,
-    new_figure,
-    plain_log,
-    saved,
-    style,
-)
+from stayput.report import figures
 from stayput.report.fonts import drawable
 from stayput.report.names import given_name
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, MUTED
@@ -83,13 +73,13 @@ def plot_suite(
     InputError
         A path that cannot be written; a component that is not there.
     """
-    figure = new_figure(7.6, 7.4, title)
+    figure = figures.new_figure(7.6, 7.4, title)
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[2.4, 1.0])
     draw_suite(upper, suite, "spectra", target, component, language)
     draw_suite(lower, suite, "scatter", target, component, language)
     upper.set_xlabel("")
     figure.align_ylabels([upper, lower])
-    return saved(figure, path)
+    return figures.saved(figure, path)
 
 
 def suite_title(suite: Suite, language: str) -> str:
@@ -128,7 +118,7 @@ def draw_suite(
     logs = np.log(np.maximum(sa, 1e-12))
     scatter = logs.std(axis=0, ddof=1) if len(suite) > 1 else None
     first = COMPONENT_COLOURS[component]
-    looks: dict[str, Any] = {"color": colour_beside(axis, first), "gid": LINE} | line
+    looks: dict[str, Any] = {"color": figures.colour_beside(axis, first), "gid": figures.LINE} | line
     if _holds_suite(axis):
         looks.setdefault("label", given_name(suite.name, language))
     if what == "spectra":
@@ -138,20 +128,20 @@ def draw_suite(
             label = drawable(say("plots.target", language, name=given_name(target.name, language)))
             dashed: dict[str, Any] = {"color": ALARM, "linewidth": 2.0, "linestyle": "-.", "zorder": 5}
             axis.plot(target.periods[inside], target.sa[inside], label=label, **dashed)
-        label_axes(axis, language, y="plots.sa_of", component=component, damping=100.0 * damping)
+        figures.label_axes(axis, language, y="plots.sa_of", component=component, damping=100.0 * damping)
     else:
         _draw_scatter(axis, scatter, looks, language)
-        plain_log(axis, y=False)
-    label_axes(axis, language, x="plots.period")
+        figures.plain_log(axis, y=False)
+    figures.label_axes(axis, language, x="plots.period")
     named: dict[str, Any] = {}  # what is drawn for every suite alike stands once in the legend
     for handle, label in zip(*axis.get_legend_handles_labels(), strict=True):
         named.setdefault(label, handle)
     place = "lower left" if what == "spectra" else "best"
-    axis.legend(named.values(), named.keys(), loc=place, fontsize=FONT - 1.0, framealpha=0.9)
+    axis.legend(named.values(), named.keys(), loc=place, fontsize=figures.FONT - 1.0, framealpha=0.9)
 
 
 def _holds_suite(axis: Axes) -> bool:
-    return any(line.get_gid() == LINE for line in axis.lines)
+    return any(line.get_gid() == figures.LINE for line in axis.lines)
 
 
 def _draw_spectra(
@@ -162,7 +152,7 @@ def _draw_spectra(
     looks: dict[str, Any],
     language: str,
 ) -> None:
-    style(axis, zero=False)
+    figures.style(axis, zero=False)
     low, high = axis.get_ylim() if _holds_suite(axis) else (math.inf, 0.0)
     for place, row in enumerate(sa):
         label = say("plots.each_motion", language) if place == 0 else None
@@ -173,7 +163,7 @@ def _draw_spectra(
         for sign, label in ((1.0, say("plots.spread", language)), (-1.0, None)):
             edge = median * np.exp(sign * scatter)
             axis.plot(PERIODS, edge, color=looks["color"], linewidth=1.4, linestyle="--", label=label)
-    plain_log(axis)
+    figures.plain_log(axis)
     top = max(high, 1.4 * float(sa.max()))
     axis.set_ylim(max(min(low, 0.7 * float(sa.min())), top * 10.0**-_DECADES), top)
     axis.set_xlim(float(PERIODS[0]), float(PERIODS[-1]))
@@ -184,7 +174,7 @@ def _draw_spectra(
 def _draw_scatter(
     axis: Axes, scatter: NDArray[np.float64] | None, looks: dict[str, Any], language: str
 ) -> None:
-    style(axis)
+    figures.style(axis)
     low, high = USUAL_SCATTER
     usual = say("plots.usual_scatter", language, low=low, high=high)
     if usual not in axis.get_legend_handles_labels()[1]:
@@ -195,7 +185,7 @@ def _draw_scatter(
         axis.plot(PERIODS, scatter, **looks)
         top = max(top, 1.15 * float(scatter.max()))
     axis.set_ylim(0.0, top)
-    label_axes(axis, language, y="plots.scatter")
+    figures.label_axes(axis, language, y="plots.scatter")
 
 
 LINES = {"x": "-", "y": "--", "z": ":"}
@@ -213,15 +203,15 @@ def draw_spectrum(
         Another response.
     """
     word_of("plots.what", what, get_args(SpectralResponse), "what")
-    style(axis, zero=False)
+    figures.style(axis, zero=False)
     values = getattr(spectrum, what) * (1.0 if what in ("sa", "psa") else 100.0)  # m/s², cm/s or cm
-    looks: dict[str, Any] = {"linewidth": 1.4, "gid": LINE} | line
-    looks.setdefault("color", colour_beside(axis, COMPONENT_COLOURS["x"]))
+    looks: dict[str, Any] = {"linewidth": 1.4, "gid": figures.LINE} | line
+    looks.setdefault("color", figures.colour_beside(axis, COMPONENT_COLOURS["x"]))
     axis.plot(spectrum.periods, values, **looks)
-    plain_log(axis)
-    label_axes(axis, language, "plots.period", f"plots.spectrum_{what}")
+    figures.plain_log(axis)
+    figures.label_axes(axis, language, "plots.period", f"plots.spectrum_{what}")
     if "label" in line:
-        legend_within(axis)
+        figures.legend_within(axis)
 
 
 def plot_spectra(
@@ -252,7 +242,7 @@ def plot_spectra(
     InputError
         A damping out of range, or a path that cannot be written.
     """
-    figure = new_figure(10.0, 7.6, title)
+    figure = figures.new_figure(10.0, 7.6, title)
     axes = figure.subplots(2, 2)
     acceleration, velocity, absolute, fourier = axes.ravel()
     shown = np.geomspace(0.1, 0.5 / motion.dt, 200)
@@ -272,14 +262,14 @@ def plot_spectra(
     _label_long_period_classes(absolute, language)
     for axis in (acceleration, velocity, absolute):
         axis.set_xlim(PERIODS[0], PERIODS[-1])
-    style(fourier, zero=False)
-    plain_log(fourier)
-    label_axes(fourier, language, "plots.frequency", "plots.spectrum_fourier")
+    figures.style(fourier, zero=False)
+    figures.plain_log(fourier)
+    figures.label_axes(fourier, language, "plots.frequency", "plots.spectrum_fourier")
     fourier.set_xlim(shown[0], shown[-1])
     top = max(float(np.max(line.get_ydata())) for line in fourier.lines)  # pyright: ignore[reportArgumentType, reportCallIssue]
     if top > 0.0:
         fourier.set_ylim(1e-4 * top, 1.5 * top)  # below lie round-off and filter noise
-    return saved(figure, path)
+    return figures.saved(figure, path)
 
 
 def _label_long_period_classes(axis: Axes, language: str) -> None:
@@ -289,5 +279,5 @@ def _label_long_period_classes(axis: Axes, language: str) -> None:
         axis.plot([first, last], [100.0 * bound] * 2, color=MUTED, linewidth=1.0)
         name = say("plots.long_period_class", language, number=number)
         looks: dict[str, Any] = {"textcoords": "offset points", "ha": "right", "color": MUTED}
-        axis.annotate(name, (last, 100.0 * bound), (-2.0, 2.0), fontsize=FONT - 2.0, **looks)
-    axis.set_title(say("plots.long_period", language), fontsize=FONT - 1.0, color=MUTED)
+        axis.annotate(name, (last, 100.0 * bound), (-2.0, 2.0), fontsize=figures.FONT - 2.0, **looks)
+    axis.set_title(say("plots.long_period", language), fontsize=figures.FONT - 1.0, color=MUTED)

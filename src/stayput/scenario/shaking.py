@@ -30,34 +30,19 @@ from stayput.motion.suites.families import FAMILIES
 from stayput.motion.suites.suite import Suite, read_suite
 from stayput.motion.suites.synthesis import MIXED, synthetic_suite
 from stayput.motion.synthetic import near_fault, sine
-from stayput.scenario.fields import (
-    NAME,
-    NUMBER,
-    TABLE,
-    Table,
-    Text,
-    ValueTable,
-    between,
-    checked,
-    fields_of,
-    kind_of,
-    name_or_number,
-    named,
-    of,
-    one_of,
-)
+from stayput.scenario import fields
 from stayput.scenario.tables import BuildingTable  # noqa: TC001 - pydantic reads the annotations
 
 Shaken = TypeVar("Shaken", Motion, Suite)
 
 
-@fields_of(sine)
-class SineTable(ValueTable):
+@fields.fields_of(sine)
+class SineTable(fields.ValueTable):
     """A harmonic motion."""
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
-        checked("shaking.sine", self.motion)
+        fields.checked("shaking.sine", self.motion)
         return self
 
     def motion(self) -> Motion:
@@ -66,46 +51,48 @@ class SineTable(ValueTable):
 
 
 def _kind_of_vertical(value: object) -> str:
-    return NAME if isinstance(value, str) else "<switch>"
+    return fields.NAME if isinstance(value, str) else "<switch>"
 
 
 Vertical = Annotated[
-    Annotated[bool, Tag("<switch>")] | Annotated[Text, Tag(NAME)], Discriminator(_kind_of_vertical)
+    Annotated[bool, Tag("<switch>")] | Annotated[fields.Text, Tag(fields.NAME)],
+    Discriminator(_kind_of_vertical),
 ]
 
 
 CLASS_NAMES = tuple(name for name, _ in CLASSES)
 FAMILY_NAMES = (MIXED, *FAMILIES)
 
-ClassName = Annotated[str, one_of(CLASS_NAMES, "intensity"), named(CLASS_NAMES)]
-FamilyName = Annotated[str, one_of(FAMILY_NAMES), named(FAMILY_NAMES)]
+ClassName = Annotated[str, fields.one_of(CLASS_NAMES, "intensity"), fields.named(CLASS_NAMES)]
+FamilyName = Annotated[str, fields.one_of(FAMILY_NAMES), fields.named(FAMILY_NAMES)]
 
 
 Intensity = Annotated[
-    Annotated[float, between(-3.0, 9.0), Tag(NUMBER)] | Annotated[ClassName, Tag(NAME)],
-    Discriminator(name_or_number),
+    Annotated[float, fields.between(-3.0, 9.0), Tag(fields.NUMBER)] | Annotated[ClassName, Tag(fields.NAME)],
+    Discriminator(fields.name_or_number),
 ]
 
 
-@fields_of(strength_of_sa)
-class SpectralTable(ValueTable):
+@fields.fields_of(strength_of_sa)
+class SpectralTable(fields.ValueTable):
     """A spectral acceleration, to which every motion is scaled."""
 
 
-@fields_of(EarthquakeSource)
-class EarthquakeTable(ValueTable):
+@fields.fields_of(EarthquakeSource)
+class EarthquakeTable(fields.ValueTable):
     """An earthquake and the ground where it is felt; a ground-motion model gives how strongly it shakes."""
 
 
-@fields_of(synthetic_suite)
-class SuiteTable(ValueTable):
+@fields.fields_of(synthetic_suite)
+class SuiteTable(fields.ValueTable):
     """A suite of synthetic motions."""
 
     family: FamilyName = Field(default=MIXED, description="Kind of earthquake.")
 
 
 SuiteOrFolder = Annotated[
-    Annotated[SuiteTable, Tag(TABLE)] | Annotated[Text, Tag(NAME)], Discriminator(kind_of)
+    Annotated[SuiteTable, Tag(fields.TABLE)] | Annotated[fields.Text, Tag(fields.NAME)],
+    Discriminator(fields.kind_of),
 ]
 SOURCES = ("record", "sine", "builtin", "suite")
 RECORD_FILES = ("record", "across", "vertical")
@@ -115,18 +102,22 @@ STRENGTHS = ("intensity", "pga", "pgv", "sa", "mmi", "earthquake")
 """Ways to say how strongly the ground shakes."""
 
 
-class ShakingTable(Table):
+class ShakingTable(fields.Table):
     """How the floor is shaken: a record, a sine, a built-in motion or a suite, and the building between."""
 
-    record: Text | None = Field(default=None, description="A record's file, relative to the scenario's file.")
-    across: Text | None = Field(
+    record: fields.Text | None = Field(
+        default=None, description="A record's file, relative to the scenario's file."
+    )
+    across: fields.Text | None = Field(
         default=None, description="The file that holds the component across the shaking, for a record."
     )
-    component: Text | None = Field(
+    component: fields.Text | None = Field(
         default=None, description="Which of the record's horizontal channels is along the shaking."
     )
-    unit: Text | None = Field(default=None, description="The unit of a record whose file does not state it.")
-    dt: float | None = of(
+    unit: fields.Text | None = Field(
+        default=None, description="The unit of a record whose file does not state it."
+    )
+    dt: float | None = fields.of(
         sine, "dt", default=None, description="The time step of a record whose file does not state it."
     )
     remove_mean: bool = Field(
@@ -134,18 +125,18 @@ class ShakingTable(Table):
         description="Whether the mean of each component of a record is taken off: an instrument's offset, "
         "or gravity in the vertical one.",
     )
-    columns: Text | None = Field(
+    columns: fields.Text | None = Field(
         default=None,
         description="Which columns of the record's file are the time and the components, by their headings "
         "or their places: t=1,x=2,y=3,z=4.",
     )
-    skip_lines: Annotated[int, between(0, MOST_SKIPPED)] | None = Field(
+    skip_lines: Annotated[int, fields.between(0, MOST_SKIPPED)] | None = Field(
         default=None, description="How many lines at the beginning of the record's file are passed over."
     )
     decimal_comma: bool = Field(
         default=False, description="Whether the record's numbers have a comma in the place of the point."
     )
-    location: Text | None = Field(
+    location: fields.Text | None = Field(
         default=None,
         description="Of a SAC or miniSEED record, the code of the sensor where a station has several; "
         "-- of none.",
@@ -155,26 +146,26 @@ class ShakingTable(Table):
     suite: SuiteOrFolder | None = Field(
         default=None, description="A suite of synthetic motions, or a folder of records."
     )
-    member: int | None = of(
+    member: int | None = fields.of(
         synthetic_suite,
         "count",
         default=None,
         description="Which motion of a suite `simulate` takes; 1 where it is not said.",
     )
-    scale: float | None = between(-1e3, 1e3, default=None, description="Factor on the whole motion.")
+    scale: float | None = fields.between(-1e3, 1e3, default=None, description="Factor on the whole motion.")
     intensity: Intensity | None = Field(
         default=None,
         description="JMA intensity of the ground that every motion is scaled to; a class is its middle. "
         "Where no motion is given, those of the built-in suite.",
     )
-    pga: float | None = of(strength_of_pga, "pga", default=None)
-    pgv: float | None = of(strength_of_pgv, "pgv", default=None)
+    pga: float | None = fields.of(strength_of_pga, "pga", default=None)
+    pgv: float | None = fields.of(strength_of_pgv, "pgv", default=None)
     sa: SpectralTable | None = Field(
         default=None,
         description="A spectral acceleration at 5 % damping, in the place of an intensity: the geometric "
         "mean of the horizontal components, that every motion is scaled to.",
     )
-    mmi: float | None = of(strength_of_mercalli, "mmi", default=None)
+    mmi: float | None = fields.of(strength_of_mercalli, "mmi", default=None)
     earthquake: EarthquakeTable | None = Field(
         default=None,
         description="An earthquake and its distance, in the place of an intensity: motions are scaled to the "
@@ -188,7 +179,7 @@ class ShakingTable(Table):
     building: BuildingTable | None = Field(
         default=None, description="The building between the ground and the furniture."
     )
-    storey: Annotated[int, between(1, MOST_STOREYS)] | None = Field(
+    storey: Annotated[int, fields.between(1, MOST_STOREYS)] | None = Field(
         default=None, description="The storey where the furniture stands: 1 is the ground floor."
     )
 

@@ -19,16 +19,7 @@ from stayput.errors import InputError
 from stayput.model.floor_plan import FACING, PersonPlace
 from stayput.simulation.groups import Track, outline_of
 from stayput.simulation.space_fate import MAY_FALL_FROM
-from stayput.verification.changes import (
-    Change,
-    FreeFloor,
-    loose_pieces,
-    measures_for,
-    other_places,
-    places_at_walls,
-    refuse_unheld,
-    with_changes,
-)
+from stayput.verification import changes
 from stayput.verification.people import hardest, harm_of, hits_in, risk_of
 
 if TYPE_CHECKING:
@@ -69,7 +60,7 @@ def tried_options(contest: Contest, base: Option, runs: Runs) -> Iterator[Option
     harmful, falling = harmful_pieces(contest, scene, runs), falling_pieces(runs)
     for change in moves_of(contest, scene, runs, harmful):
         contest.advance(0)  # who has left may end it here
-        yield with_changes(base, [change], names)
+        yield changes.with_changes(base, [change], names)
 
     def key(body: int) -> tuple[float, ...]:
         return body in harmful, harm_of(hardest(runs, [body]), plan.places, runs.missing), chances[body]
@@ -77,8 +68,8 @@ def tried_options(contest: Contest, base: Option, runs: Runs) -> Iterator[Option
     chances = overturning(runs)
     for body in sorted(harmful | falling, key=key, reverse=True):
         for kind in TRIED if scenario.pieces[body].is_furniture else ():
-            (measure,) = measures_for((kind,), scene, body)
-            option = with_changes(base, [Change(names[body], measure)], names)
+            (measure,) = changes.measures_for((kind,), scene, body)
+            option = changes.with_changes(base, [changes.Change(names[body], measure)], names)
             with suppress(InputError):  # it cannot be put there
                 yield held(contest, option, body)
 
@@ -91,7 +82,7 @@ def held(contest: Contest, option: Option, body: int) -> Option:
     InputError
         They cannot be.
     """
-    refuse_unheld(contest.scene(option), body)
+    changes.refuse_unheld(contest.scene(option), body)
     return option
 
 
@@ -128,7 +119,9 @@ def harmful_pieces(contest: Contest, scene: Scene, runs: Runs) -> set[int]:
     return harmful
 
 
-def moves_of(contest: Contest, scene: Scene, runs: Runs, harmful: Collection[int]) -> Iterator[Change]:
+def moves_of(
+    contest: Contest, scene: Scene, runs: Runs, harmful: Collection[int]
+) -> Iterator[changes.Change]:
     """Yield the best spot for each place at which somebody is hit, and for harmful pieces at each wall.
 
     Parameters
@@ -147,17 +140,17 @@ def moves_of(contest: Contest, scene: Scene, runs: Runs, harmful: Collection[int
     assert watcher is not None
     assert tracks is not None
     _, ways = watcher.ways(plan)
-    floor, hit = FreeFloor(plan, scene.pieces), hits_in(runs)
+    floor, hit = changes.FreeFloor(plan, scene.pieces), hits_in(runs)
     outlines = [[reach(track) for track in tracks[..., body].ravel()] for body in range(len(scene.pieces))]
     struck = np.flatnonzero(hit.any(axis=(0, 1, 3))).tolist()
     over = np.any([swept(ways, of_piece) for of_piece in outlines], axis=0) if struck else None
     for number in struck:
         assert over is not None
         other = _best_place(
-            plan.places[number], other_places(plan.places[number], floor), over, contest, ways
+            plan.places[number], changes.other_places(plan.places[number], floor), over, contest, ways
         )
         if other is not None:
-            yield Change(other.name, at=other.at, heading=other.heading)
+            yield changes.Change(other.name, at=other.at, heading=other.heading)
     cells = [ways.cells(place.corners) for place in plan.places]
 
     def risk(others: NDArray[np.bool_], outlines: Sequence[NDArray[np.float64]]) -> float:
@@ -165,16 +158,16 @@ def moves_of(contest: Contest, scene: Scene, runs: Runs, harmful: Collection[int
         by_piece = np.stack([over[:, at].any(axis=1) for at in cells], -1) if cells else over[:, :0]
         return risk_of(others | by_piece.reshape(others.shape), plan.places, runs.missing)
 
-    for body in sorted(loose_pieces(scenario) & set(harmful)):
+    for body in sorted(changes.loose_pieces(scenario) & set(harmful)):
         if not scenario.pieces[body].is_furniture:
             continue
         risk_at = partial(risk, np.any(np.delete(hit, body, axis=3), axis=3))
         here = risk_at(outlines[body])
-        for wall, middles in places_at_walls(scene, body, floor):
+        for wall, middles in changes.places_at_walls(scene, body, floor):
             piece = scene.pieces[body]
             at = _best_at_wall(piece, wall, middles, outlines[body], risk_at, here, contest.advance)
             if at is not None:
-                yield Change(scenario.names[body], at=at, heading=FACING[wall])
+                yield changes.Change(scenario.names[body], at=at, heading=FACING[wall])
 
 
 def _best_at_wall(

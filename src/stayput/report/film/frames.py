@@ -13,19 +13,9 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFilter
 
 from stayput.catalogue import say
+from stayput.report import palette
 from stayput.report.film.layout import FrameLayout
 from stayput.report.film.shape import OPENINGS, STILL_LOOKS, SolidShape, StillShape, cut
-from stayput.report.palette import (
-    ALARM,
-    INK,
-    MUTED,
-    PAPER,
-    ROLE_COLOURS,
-    ROOM,
-    STABILITY_COLOURS,
-    rgb,
-    stability_looks,
-)
 
 if TYPE_CHECKING:
     from stayput.report.animation import Film
@@ -41,7 +31,9 @@ _STAGE = 0.9  # how far the floor goes beyond the bodies, in sizes of them
 
 def _mixed(colour: str, other: str, share: float) -> tuple[int, int, int]:
     """Return a colour between two."""
-    red, green, blue = (round(a + share * (b - a)) for a, b in zip(rgb(colour), rgb(other), strict=True))
+    red, green, blue = (
+        round(a + share * (b - a)) for a, b in zip(palette.rgb(colour), palette.rgb(other), strict=True)
+    )
     return red, green, blue
 
 
@@ -107,7 +99,7 @@ class Painter:
         scene = self._draw_room(camera)
         places, turns = film.scene.pose(time)
         corners = [film.scene.corners(b, turns[b], places[b]) for b in range(len(places))]
-        colours = [STABILITY_COLOURS[film.scene.stability_at(b, time)] for b in range(len(places))]
+        colours = [palette.STABILITY_COLOURS[film.scene.stability_at(b, time)] for b in range(len(places))]
         self._draw_shadows(scene, camera, corners)
         draw = ImageDraw.Draw(scene)
         pen = ImageDraw.Draw(scene, "RGBA")  # which mixes colours
@@ -132,7 +124,7 @@ class Painter:
         text = "" if len(corners) > 1 else self._state(time)
         self._layout.head(image, film.title if time >= film.scene.end else text)
         names = film.scene.names if len(corners) > 1 else ()
-        rows = stability_looks(film.language).values(), zip(names, colours, strict=False)
+        rows = palette.stability_looks(film.language).values(), zip(names, colours, strict=False)
         self._layout.legend(image, rows)
         return image
 
@@ -143,12 +135,12 @@ class Painter:
             float(np.interp(time, run.time, values)) for values in (np.degrees(run.tilt), 100.0 * run.slide)
         )
         state = say("space.state", language, tilt=abs(tilt), slide=abs(slide))
-        name, _ = stability_looks(language)[self._film.scene.stability_at(0, time)]
+        name, _ = palette.stability_looks(language)[self._film.scene.stability_at(0, time)]
         return f"{name}{say('common.colon', language)}{state}"
 
     def _draw_room(self, camera: Camera) -> Image.Image:
         """Draw floor, walls and ceiling, where they face the camera, and where bodies stood."""
-        image = Image.new("RGB", self._layout.scene, PAPER)
+        image = Image.new("RGB", self._layout.scene, palette.PAPER)
         draw = ImageDraw.Draw(image)
         for *normal, offset in [(0.0, 0.0, 1.0, 0.0), *self._film.scene.planes]:
             if np.dot(normal, camera.place) > offset:
@@ -158,7 +150,7 @@ class Painter:
             foot = self._film.scene.footprint(b)
             if len(foot):
                 outline = camera.seen(np.concatenate([foot, foot[:1]]))
-                _stroke(draw, outline, MUTED, self._line)
+                _stroke(draw, outline, palette.MUTED, self._line)
         return image
 
     def _draw_face(
@@ -178,8 +170,8 @@ class Painter:
         points[:, [u, v]] = places
         lines = [range(end, end + 2) for end in range(4, len(places), 2)]
         face, *seen = camera.outlines(points, [range(4), *lines])
-        _fill(draw, face, _mixed(PAPER, ROOM, tone))
-        colour = _mixed(PAPER, ROOM, tone + 0.22)
+        _fill(draw, face, _mixed(palette.PAPER, palette.ROOM, tone))
+        colour = _mixed(palette.PAPER, palette.ROOM, tone + 0.22)
         for ends in seen:
             _stroke(draw, ends, colour, self._line)
 
@@ -204,7 +196,7 @@ class Painter:
             min(mask.width, right + reach),
             min(mask.height, bottom + reach),
         )
-        scene.paste(INK, around, mask.crop(around).filter(ImageFilter.BoxBlur(soft)))
+        scene.paste(palette.INK, around, mask.crop(around).filter(ImageFilter.BoxBlur(soft)))
 
     def _draw_ties(
         self,
@@ -222,7 +214,10 @@ class Painter:
             if time >= tie.lost:
                 _cross(draw, ends[0], 2.5 * self._line)
                 continue
-            for colour, width in ((PAPER, 4 * self._line), (ROLE_COLOURS["tie"], 2 * self._line)):
+            for colour, width in (
+                (palette.PAPER, 4 * self._line),
+                (palette.ROLE_COLOURS["tie"], 2 * self._line),
+            ):
                 _stroke(draw, ends, colour, width)
                 for x, y in ends:
                     draw.ellipse((x - width, y - width, x + width, y + width), fill=colour)
@@ -253,7 +248,7 @@ def _fill(draw: ImageDraw.ImageDraw, outline: Outline, colour: Colour) -> None:
 
 def _cross(draw: ImageDraw.ImageDraw, middle: tuple[float, float], reach: float) -> None:
     x, y = middle
-    for colour, width in ((PAPER, round(reach)), (ALARM, round(0.5 * reach))):
+    for colour, width in ((palette.PAPER, round(reach)), (palette.ALARM, round(0.5 * reach))):
         for way in (reach, -reach):
             draw.line([(x - reach, y - way), (x + reach, y + way)], fill=colour, width=width)
 
@@ -293,26 +288,26 @@ def _draw_body(
     sharp = {(min(i, j), max(i, j)) for i, j in shape.edges.tolist()}
     lines = [side for side, count in sides.items() if count == 1 or side in sharp]  # outlines and edges
     for ends in camera.outlines(corners, lines):
-        _stroke(draw, ends, INK, line)
+        _stroke(draw, ends, palette.INK, line)
 
 
 def _shaded(colour: str, normal: NDArray[np.float64]) -> tuple[int, int, int]:
     """Return how a face of a colour looks in the light, with the sky's and the floor's."""
     light = 0.46 + 0.12 * normal[2] + 0.7 * max(0.0, float(_LIGHT @ normal))
-    red, green, blue = (min(255, round(part * light ** (1.0 / 2.2))) for part in rgb(colour))
+    red, green, blue = (min(255, round(part * light ** (1.0 / 2.2))) for part in palette.rgb(colour))
     return red, green, blue
 
 
 def _draw_still(draw: ImageDraw.ImageDraw, camera: Camera, line: int, still: StillShape) -> None:
     """Draw the faces that look at the camera, through which one sees what is behind, and all lines."""
     look = STILL_LOOKS[still.role]
-    shade = (*rgb(look.colour), round(255 * look.shade))
+    shade = (*palette.rgb(look.colour), round(255 * look.shade))
     for normal, face in zip(still.normals, still.faces, strict=True):
         if normal @ (camera.place - face[0]) > 0.0:
             _fill(draw, camera.seen(face), shade)
     for points in still.lines:
         for ends in pairwise(points):
-            _stroke(draw, camera.seen(np.array(ends)), rgb(look.colour), line)
+            _stroke(draw, camera.seen(np.array(ends)), palette.rgb(look.colour), line)
 
 
 def _faces(camera: Camera, opening: StillShape) -> bool:

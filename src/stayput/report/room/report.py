@@ -19,19 +19,9 @@ from stayput.report.verdict.assumptions import assumptions
 from stayput.report.verdict.html import shared_content
 from stayput.report.verdict.markdown import plain, table
 from stayput.simulation.space_fate import FALLS_FROM, MAY_FALL_FROM
+from stayput.verification import room_words
 from stayput.verification.events import PASSAGE
 from stayput.verification.people import DAY_HOURS, HitVerdict
-from stayput.verification.room_words import (
-    best_sentence,
-    door_name,
-    motion_phrase,
-    people_in,
-    piece_changed,
-    piece_name,
-    pieces_in,
-    place_name,
-    tags,
-)
 from stayput.wording import with_aside
 
 if TYPE_CHECKING:
@@ -49,7 +39,7 @@ class TextTable(NamedTuple):
 
 def sentences(verdict: Verdict, language: str) -> tuple[str, ...]:
     """Return what is said above the tables."""
-    best = best_sentence(verdict, language)
+    best = room_words.best_sentence(verdict, language)
     return (verdict.sentence(language), *([best] if best else []))
 
 
@@ -60,7 +50,7 @@ def hit_by(hit: HitVerdict) -> str:
 
 def tables(verdict: Verdict, options: Sequence[OptionVerdict], language: str) -> tuple[TextTable, ...]:
     """Return who is hit by what, which ways out are blocked, and what some of the options bring."""
-    people = people_in(verdict)
+    people = room_words.people_in(verdict)
 
     def texts(*keys: str) -> tuple[str, ...]:
         return tuple(say(f"rooms.{key}", language) for key in keys)
@@ -69,7 +59,10 @@ def tables(verdict: Verdict, options: Sequence[OptionVerdict], language: str) ->
         return say(value.texts, language)
 
     def warned(option: OptionVerdict) -> str:
-        label, clear = verdict.label(option, language), [say(tag, language) for tag in tags(option)]
+        label, clear = (
+            verdict.label(option, language),
+            [say(tag, language) for tag in room_words.tags(option)],
+        )
         return (
             with_aside(label, say("common.listed", language).join(clear), language) if option.worse else label
         )
@@ -77,17 +70,17 @@ def tables(verdict: Verdict, options: Sequence[OptionVerdict], language: str) ->
     hits: list[tuple[str, ...]] = []
     for place in people.places:
         shares = (numbers.probability(share, language) for share in (place.by_day, place.by_night))
-        name = say(place_name(place.place), language)
+        name = say(room_words.place_name(place.place), language)
         hits.append((name, *texts("any_piece"), chance(place.hit), *shares, "", "", ""))
         for hit in place.by:
             strength = numbers.speed(hit.speed.median), numbers.energy(hit.energy.median)
             way = say(f"rooms.{hit_by(hit)}", language)
-            name = with_aside(say(piece_name(hit.piece), language), way, language)
+            name = with_aside(say(room_words.piece_name(hit.piece), language), way, language)
             hits.append(("", name, chance(hit.probability), "", "", *strength, numbers.mass(hit.mass)))
     already = say("rooms.already", language)
     ways = [
         (
-            phrase("rooms.door_blocked", door=door_name(door.door)),
+            phrase("rooms.door_blocked", door=room_words.door_name(door.door)),
             already if door.at_rest else chance(door.blocked),
         )
         for door in people.doors
@@ -95,7 +88,7 @@ def tables(verdict: Verdict, options: Sequence[OptionVerdict], language: str) ->
     shut_in = people.places if any(door.door.way_out for door in people.doors) else ()
     ways += [
         (
-            phrase("rooms.place_shut_in", place=place_name(p.place)),
+            phrase("rooms.place_shut_in", place=room_words.place_name(p.place)),
             already if p.shut_in_at_rest else chance(p.shut_in),
         )
         for p in shut_in
@@ -106,7 +99,9 @@ def tables(verdict: Verdict, options: Sequence[OptionVerdict], language: str) ->
             chance(option.people.hit.chance),
             numbers.change(option.people.hit.change, language),
             chance(option.people.shut_in.chance),
-            "" if (overturned := piece_changed(option, verdict)) is None else chance(overturned[0]),
+            ""
+            if (overturned := room_words.piece_changed(option, verdict)) is None
+            else chance(overturned[0]),
         )
         for option in options
         if option.people is not None
@@ -124,7 +119,7 @@ def tables(verdict: Verdict, options: Sequence[OptionVerdict], language: str) ->
 
 def simulations_of_room(verdict: Verdict, language: str) -> str:
     """Return how many runs the verdict rests on."""
-    motions = motion_phrase(verdict) or phrase("rooms.motions", count=verdict.motions)
+    motions = room_words.motion_phrase(verdict) or phrase("rooms.motions", count=verdict.motions)
     runs = f"{verdict.runs:,}"
     return say("rooms.simulations", language, runs=runs, motions=motions, samples=verdict.samples)
 
@@ -173,7 +168,7 @@ def write_room_report(verdict: Verdict, path: str | Path, language: str = "en") 
 def room_html(verdict: Verdict, language: str = "en") -> str:
     """Return the text of a report; see `write_room_report`."""
     headline, *others = sentences(verdict, language)
-    people = people_in(verdict)
+    people = room_words.people_in(verdict)
     moved = change_plan(verdict, language)
     kind = say("rooms.report", language)
     content = {
@@ -192,7 +187,7 @@ def room_html(verdict: Verdict, language: str = "en") -> str:
         "ways_out": any(door.door.way_out for door in people.doors),
         "places": [
             {
-                "name": say(place_name(place.place), language),
+                "name": say(room_words.place_name(place.place), language),
                 "hit": place.hit,
                 "times": [
                     (
@@ -208,7 +203,7 @@ def room_html(verdict: Verdict, language: str = "en") -> str:
         "hits": hit_rows(verdict, language),
         "doors": [
             {
-                "name": say(door_name(door.door), language),
+                "name": say(room_words.door_name(door.door), language),
                 "wall": say(f"rooms.{door.door.wall}", language),
                 "opens": say(f"room_report.{door.door.opens}", language),
                 "leads_out": say(f"room_report.{'yes' if door.door.way_out else 'no'}", language),
@@ -233,15 +228,15 @@ def hit_rows(verdict: Verdict, language: str) -> list[dict[str, Any]]:
     """Return what hits each place, the most harmful first: median and 90 % quantile of speed and energy."""
     return [
         {
-            "place": say(place_name(place.place), language),
-            "piece": say(piece_name(hit.piece), language),
+            "place": say(room_words.place_name(place.place), language),
+            "piece": say(room_words.piece_name(hit.piece), language),
             "way": say(f"rooms.{hit_by(hit)}", language),
             "chance": hit.probability,
             "speed": (numbers.speed(hit.speed.median), numbers.speed(hit.speed.p90)),
             "energy": (numbers.energy(hit.energy.median), numbers.energy(hit.energy.p90)),
             "mass": numbers.mass(hit.mass),
         }
-        for place in people_in(verdict).places
+        for place in room_words.people_in(verdict).places
         for hit in place.by
     ]
 
@@ -251,13 +246,13 @@ def piece_rows(verdict: Verdict, language: str) -> list[dict[str, Any]]:
     room = verdict.scenario.surroundings()
     return [
         {
-            "name": say(piece_name(piece.name), language),
+            "name": say(room_words.piece_name(piece.name), language),
             "overturned": piece.probabilities[OVERTURNED],
             "slid": piece.probabilities[SLID],
             "slide": numbers.slides(piece.slide, room, language),
-            "harm": numbers.energy(piece.harm) if people_in(verdict).places else numbers.NO_NUMBER,
+            "harm": numbers.energy(piece.harm) if room_words.people_in(verdict).places else numbers.NO_NUMBER,
         }
-        for piece in pieces_in(verdict)
+        for piece in room_words.pieces_in(verdict)
     ]
 
 
@@ -269,13 +264,13 @@ def change_rows(verdict: Verdict, language: str) -> list[dict[str, Any]]:
     change = partial(numbers.change, language=language)
     rows: list[dict[str, Any]] = []
     for result in verdict.others:
-        people, overturned = result.people, piece_changed(result, verdict)
+        people, overturned = result.people, room_words.piece_changed(result, verdict)
         assert people is not None
         rows.append(
             {
                 "label": verdict.label(result, language),
                 "kind": "better" if result.helps else "worse" if result.worse else "chance",
-                "tags": [say(tag, language) for tag in tags(result)],
+                "tags": [say(tag, language) for tag in room_words.tags(result)],
                 "hit": people.hit.chance,
                 "hit_change": change(people.hit.change),
                 "shut_in": people.shut_in.chance,

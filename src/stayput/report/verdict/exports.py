@@ -30,17 +30,8 @@ import numpy as np
 from stayput.catalogue import phrase, say
 from stayput.errors import InputError, list_of
 from stayput.files import CSV_ENCODING, check_target, csv_text, draft, folder_draft
+from stayput.fragility import intensity_measures
 from stayput.fragility.curve import METHOD, CurveState, FragilityCurve
-from stayput.fragility.intensity_measures import (
-    FLOOR_JMA,
-    JMA_INTENSITY,
-    MMI,
-    PFA,
-    PFV,
-    PGA,
-    PGV,
-    IntensityMeasure,
-)
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.report.fragility import plot_fragility
 from stayput.report.summary import number
@@ -118,13 +109,13 @@ LIMIT_STATE = "overturned"
 """The one limit state."""
 
 DEMANDS = {
-    PGA.key: ("PGA", "Peak Ground Acceleration", "g", 1.0 / STANDARD_GRAVITY),
-    PFA.key: ("", "Peak Floor Acceleration", "g", 1.0 / STANDARD_GRAVITY),
-    PGV.key: ("PGV", "Peak Ground Velocity", "cmps", 100.0),
-    PFV.key: ("", "Peak Floor Velocity", "cmps", 100.0),
-    JMA_INTENSITY.key: ("JMA", "JMA Instrumental Intensity", "unitless", 1.0),
-    FLOOR_JMA.key: ("", "JMA Formula on Floor Motion", "unitless", 1.0),
-    MMI.key: ("MMI", "Modified Mercalli Intensity", "unitless", 1.0),
+    intensity_measures.PGA.key: ("PGA", "Peak Ground Acceleration", "g", 1.0 / STANDARD_GRAVITY),
+    intensity_measures.PFA.key: ("", "Peak Floor Acceleration", "g", 1.0 / STANDARD_GRAVITY),
+    intensity_measures.PGV.key: ("PGV", "Peak Ground Velocity", "cmps", 100.0),
+    intensity_measures.PFV.key: ("", "Peak Floor Velocity", "cmps", 100.0),
+    intensity_measures.JMA_INTENSITY.key: ("JMA", "JMA Instrumental Intensity", "unitless", 1.0),
+    intensity_measures.FLOOR_JMA.key: ("", "JMA Formula on Floor Motion", "unitless", 1.0),
+    intensity_measures.MMI.key: ("MMI", "Modified Mercalli Intensity", "unitless", 1.0),
 }
 """OpenQuake's name, or "" where it has none; pelicun's name and unit; and the number in that unit (g, cm/s)
 over the SI number, of each measure but Sa.
@@ -137,7 +128,7 @@ _REACH = 4.0
 ends."""
 
 
-def demand_of(measure: IntensityMeasure) -> tuple[str, str, str, float]:
+def demand_of(measure: intensity_measures.IntensityMeasure) -> tuple[str, str, str, float]:
     """Return what `DEMANDS` has of a measure, and of Sa."""
     if measure.period is not None:
         period = f"{measure.period:g}"
@@ -316,7 +307,7 @@ DRAWN = 8
 
 
 def write_curves(
-    verdict: Verdict, measure: IntensityMeasure, folder: Path, language: str = "en"
+    verdict: Verdict, measure: intensity_measures.IntensityMeasure, folder: Path, language: str = "en"
 ) -> tuple[list[Path], list[str]]:
     """Write the curves of all options over one measure of intensity.
 
@@ -395,7 +386,7 @@ def _left_out(curve: FragilityCurve, name: str, language: str) -> str:
     return say("fragility.by_points", language, option=name, highest=highest, why=why)
 
 
-def curves_csv(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> str:
+def curves_csv(curves: Sequence[FragilityCurve], measure: intensity_measures.IntensityMeasure) -> str:
     """Return fitted curves as the text of a CSV file: intensity in SI units, probability and its interval.
 
     Of one motion there is no interval.
@@ -425,14 +416,14 @@ def observed_csv(curves: Sequence[FragilityCurve]) -> str:
     return csv_text(heading, rows, "\n")
 
 
-def key(measure: IntensityMeasure) -> str:
+def key(measure: intensity_measures.IntensityMeasure) -> str:
     """Return the heading of a measure's column, with its SI unit."""
     unit = "" if measure.is_logarithm else "_m_s" if measure.unit == "cm/s" else "_m_s2"
     name = measure.key if measure.period is None else f"sa_{measure.period:g}"
     return f"{name.lower()}{unit}"
 
 
-def _plot(verdict: Verdict, measure: IntensityMeasure, path: Path, language: str) -> None:
+def _plot(verdict: Verdict, measure: intensity_measures.IntensityMeasure, path: Path, language: str) -> None:
     bare = verdict.without
     best = [result for result in verdict.options if result is not bare][: DRAWN - 1]
     curves = [
@@ -440,7 +431,7 @@ def _plot(verdict: Verdict, measure: IntensityMeasure, path: Path, language: str
         for result in (bare, *best)
     ]
     motions = say(motions_told(verdict.scenario, verdict.motions)[0], language)
-    here = verdict.intensity if measure == JMA_INTENSITY else None
+    here = verdict.intensity if measure == intensity_measures.JMA_INTENSITY else None
     plot_fragility(
         curves,
         path,

@@ -24,22 +24,10 @@ from stayput.report.names import motion_label
 from stayput.report.page import framed, rendered, write_page
 from stayput.report.plot import plot_run
 from stayput.report.summary import sentences_of_piece
-from stayput.report.verdict import numbers, svg
+from stayput.report.verdict import numbers, svg, tables
 from stayput.report.verdict.assumptions import Assumption, assumptions, told
 from stayput.report.verdict.drawing import drawing_svg
 from stayput.report.verdict.numbers import word, word_of
-from stayput.report.verdict.tables import (
-    DEVICE_COLUMNS,
-    SHARES,
-    device_rows,
-    estimate_rows,
-    event_headings,
-    grades_text,
-    impossible_rows,
-    ranking,
-    simulations,
-    weakest_inputs,
-)
 from stayput.verification.contest import drawn_run
 from stayput.verification.words import class_label, title
 
@@ -138,23 +126,23 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
     return {
         **shared_content(verdict, texts, text_of("report"), sheets, assumptions(verdict), language),
         "alone": alone,
-        "events": event_headings(verdict, language),
-        "simulations": simulations(verdict, language),
-        "impossible": impossible_rows(verdict, language),
+        "events": tables.event_headings(verdict, language),
+        "simulations": tables.simulations(verdict, language),
+        "impossible": tables.impossible_rows(verdict, language),
         "pairs": pairs_of(verdict, language),
-        "device_columns": [*holds, *map(text, DEVICE_COLUMNS)],
+        "device_columns": [*holds, *map(text, tables.DEVICE_COLUMNS)],
         "command": shlex.join([*command, "--lang", language, "--report", "report.html"]),
         "headline": verdict.sentence(language),
-        "shares": [f"{100.0 * share:g}" for share in SHARES] if alone else [],
+        "shares": [f"{100.0 * share:g}" for share in tables.SHARES] if alone else [],
         "notes": verdict.notes(language),
-        "grades": grades_text(language) if alone else "",
-        "rows": ranking(verdict, language),
+        "grades": tables.grades_text(language) if alone else "",
+        "rows": tables.ranking(verdict, language),
         "drawn": [_drawn(verdict, result, language) for result in drawn],
         "looks": looks(verdict),
         "curves": Markup(curves_svg(verdict, language)) if verdict.best.curves else None,
         "legend": legend(verdict, language),
         "details": [_detail(result, verdict, language) for result in held],
-        "estimates": estimate_rows(verdict, language) if verdict.estimates else [],
+        "estimates": tables.estimate_rows(verdict, language) if verdict.estimates else [],
         "reads_files": shaking.record is not None or isinstance(shaking.suite, str),
     }
 
@@ -168,7 +156,7 @@ def _drawn(verdict: Verdict, result: OptionVerdict, language: str) -> dict[str, 
         "share": numbers.probability(result.probabilities[OVERTURNED], language),
         "interval": numbers.interval(result.probabilities[OVERTURNED], language),
         "grade": verdict.grade(result).value if alone else "",
-        "weakest": weakest_inputs(result, verdict, language) if alone else "",
+        "weakest": tables.weakest_inputs(result, verdict, language) if alone else "",
     }
 
 
@@ -179,7 +167,7 @@ def _detail(result: OptionVerdict, verdict: Verdict, language: str) -> dict[str,
         "rank": result.rank,
         "about": [say(measure.about, language) for measure in measures],
         "change": numbers.change(result.change, language),
-        "devices": device_rows(result, language),
+        "devices": tables.device_rows(result, language),
         "parameters": [(say(m.label, language), _parameters(m, language)) for m in measures],
     }
 
