@@ -17,7 +17,7 @@ from stayput.measures import Belt
 from stayput.model.floor_plan import rectangle
 from stayput.montecarlo.counting import EVENTS, Member, Quantiles
 from stayput.report.room.plan import DrawnPiece, change_plan, covers_svg, plan_svg
-from stayput.report.room.report import change_rows, hit_rows, piece_rows, room_html, tables, write_room_report
+from stayput.report.room.report import room_html, sections, write_room_report
 from stayput.report.room.sheet import (
     LONGEST,
     PlanLabel,
@@ -167,6 +167,10 @@ def page(request):
     return verdict, request.param, room_html(verdict, request.param)
 
 
+def counting_hours(people):
+    return people.hit.chance.scaled(people.risk / people.hit.chance.estimate)
+
+
 def barred(verdict):
     """Return the chances that the report draws as bars, in its order."""
     return [
@@ -182,6 +186,7 @@ def barred(verdict):
                 one.people.hit.chance,
                 one.people.shut_in.chance,
                 *(piece_changed(one, verdict) or ())[:1],
+                counting_hours(one.people),
             )
         ),
     ]
@@ -200,39 +205,43 @@ def test_it_says_the_verdict_and_every_number_of_it(page):
         assert numbers.change(one.people.hit.change, language) in told
     for number in ("6.27", "4,321", "77", "stayput"):
         assert number in told
-    risk = people.hit.chance.scaled(people.risk / people.hit.chance.estimate)
-    assert numbers.probability(risk, language) in told
+    for told_of in (numbers.probability, numbers.interval):
+        assert told_of(counting_hours(people), language) in told
     assert ("15 cm") in told
+
+
+def rows_of(verdict, key):
+    """Return the rows of one of a report's tables, each value with what stands beside it."""
+    (rows,) = (one.rows for one in sections(verdict, verdict.others, "en") if one.key == key)
+    return [[(cell.value, cell.aside) for cell in row] for row in rows]
 
 
 def test_the_tables_hold_the_numbers_of_their_rows():
     verdict = made()
-    hits = hit_rows(verdict, "en")
-    assert [(row["place"], row["piece"], row["mass"]) for row in hits] == [
-        ("bed", HOSTILE, "13 kg"),
-        ("bed", "vase", "14 kg"),
+    hits = rows_of(verdict, "what_hits")
+    assert [(row[0][0], *row[1], row[5][0]) for row in hits] == [
+        ("bed", HOSTILE, "falls on them", "13 kg"),
+        ("bed", "vase", "slides against them", "14 kg"),
     ]
-    assert [(row["speed"], row["energy"]) for row in hits] == [
-        (("1.1 m/s", "2.2 m/s"), ("31 J", "1.7 kJ")),
-        (("2.1 m/s", "3.2 m/s"), ("32 J", "1.8 kJ")),
+    assert [row[3:5] for row in hits] == [
+        [("1.1 m/s", "90 %: 2.2 m/s"), ("31 J", "90 %: 1.7 kJ")],
+        [("2.1 m/s", "90 %: 3.2 m/s"), ("32 J", "90 %: 1.8 kJ")],
     ]
-    pieces = piece_rows(verdict, "en")
-    assert [row["harm"] for row in pieces] == ["123 J", "23 J"]
-    assert [row["way"] for row in hits] == ["falls on them", "slides against them"]
-    assert pieces[0]["slide"] == ("2.1 cm", "4.3 cm")
+    pieces = rows_of(verdict, "pieces")
+    assert [row[4][0] for row in pieces] == ["123 J", "23 J"]
+    assert pieces[0][3] == ("2.1 cm", "90 %: 4.3 cm")
 
 
 def test_it_says_of_each_change_whether_it_clearly_helps_or_makes_something_worse():
     verdict = made()
-    rows = change_rows(verdict, "en")
-    assert [row["kind"] for row in rows] == ["chance", "better"]
-    assert [row["label"] for row in rows] == [verdict.label(one) for one in verdict.others]
     first = verdict.others[0]
     hit = first.people.hit._replace(change=difference(shares(0.9, 1), shares(0.1, 2)))
     worse = replace(first, people=replace(first.people, hit=hit))
-    told = replace(verdict, options=(*verdict.options, worse))
-    assert [row["kind"] for row in change_rows(told, "en")] == ["chance", "better", "worse"]
-    assert tables(told, told.others, "en")[2].rows[2][0].endswith("(clearly more hit)")
+    both = replace(verdict, options=(*verdict.options, worse))
+    (changes,) = (one for one in sections(both, both.others, "en") if one.key == "changes")
+    assert [row[0].value for row in changes.rows] == [both.label(one, "en") for one in both.others]
+    assert [row[0].tag for row in changes.rows] == ["model", "high", "low"]
+    assert changes.rows[2][0].text("en").endswith("(clearly more hit)")
 
 
 def test_it_needs_nothing_else_and_can_be_read_without_seeing_it(page):

@@ -386,7 +386,7 @@ def test_a_door_that_is_blocked_before_any_shaking_is_told_so(stuck):
     ) == stuck
     assert ("so there is no way out before any shaking" in told.sentence()) == stuck
     assert ("stays blocked" in told.sentence()) != stuck
-    assert ("| no way out: bed | blocked already |" in room_markdown(told)) == stuck
+    assert ("| bed | blocked already as the furniture stands |" in room_markdown(told)) == stuck
     assert "before any shaking" not in with_people(doors=()).sentence()
 
 

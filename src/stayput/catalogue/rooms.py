@@ -134,17 +134,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Tables
     "motions": ("{count} motions", "地震動{count}本"),
     "report": ("Verification of a room", "部屋の地震対策の検証"),
-    "who": ("Who is hit", "人のいる場所"),
-    "by": ("by", "当たる家具"),
     "by_falling": ("falls on them", "倒れかかる"),
     "by_sliding": ("slides against them", "滑って当たる"),
-    "any_piece": ("any piece", "いずれか"),
-    "chance": ("chance", "確率"),
-    "day": ("by day", "昼"),
-    "night": ("at night", "夜"),
-    "speed": ("speed", "速さ"),
-    "energy": ("energy", "エネルギー"),
-    "mass": ("mass", "質量"),
     "upper_bounds": (("Chances are for somebody who is there, with their 95 % intervals; by day and at "
                       "night they are multiplied by the share of the time in which somebody is there. A "
                       "piece that comes less than 5 cm into the place hits nobody. Speed and energy are "
@@ -154,15 +145,7 @@ TEXTS: dict[str, tuple[str, str]] = {
                       "人がいる時間の割合を掛けたものです。"
                       "人のいる場所に入り込む深さが5 cmに満たない家具は、当たったと数えません。"
                       "速さとエネルギーは中央値で、ベッドや人が家具を支えないとした上限です。")),
-    "way": ("Ways out", "避難経路"),
-    "door_blocked": ("{door} blocked", "{door}がふさがる"),
-    "place_shut_in": ("no way out: {place}", "{place}から外に出られない"),
     "already": ("blocked already", "揺れる前からふさがっている"),
-    "change": ("Single change", "変更（1つだけ）"),
-    "hit_then": ("hit then", "人に当たる確率"),
-    "hit_less": ("against now", "今と比べて"),
-    "shut_in_then": ("shut in then", "外に出られない確率"),
-    "overturned_then": ("the piece overturns then", "その家具が倒れる確率"),
     "more_changes": ("And {count} more changes; all are in the report (--report).",
                      "ほかに{count}件の変更を試しました。すべては報告書（--report）にあります。"),
     # What a change is clearly better or worse in

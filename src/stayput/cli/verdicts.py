@@ -15,7 +15,7 @@ from stayput.catalogue import say
 from stayput.cli.messages import folded, plain_table, terminal
 from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY
 from stayput.montecarlo.counting import EVENTS, OVERTURNED
-from stayput.report.room.report import sentences, simulations_of_room, tables
+from stayput.report.room.report import sections, sentences, simulations_of_room
 from stayput.report.verdict import numbers
 from stayput.report.verdict.numbers import NO_NUMBER, word, word_of
 from stayput.report.verdict.tables import SHARES, grades_text, impossible_rows, ranking, simulations
@@ -124,25 +124,25 @@ def _print_room(verdict: Verdict, lang: str) -> None:
     for sentence in sentences(verdict, lang):
         paragraph(sentence)
     listed = _listed(verdict)
-    for each in tables(verdict, listed, lang):
-        if not each.rows:
+    for section in sections(verdict, listed, lang):
+        if not section.rows:
+            paragraph(section.about)
             continue
-        table = plain_table(each.headings, each.rows, gap=1, justify="right")
+        rows = [tuple(cell.text(lang) for cell in row) for row in section.rows]
+        table = plain_table(section.columns, rows, gap=1, justify="right")
+        paragraph(section.title)
         if _width(table, console) <= console.width:
             console.print(table)
         else:  # whose lines would break: a list instead
-            for label, *values in each.rows:
-                named = zip(each.headings[1:], values, strict=True)
-                said = say("common.listed", lang).join(
-                    f"{heading} {value}" for heading, value in named if value
-                )
-                if label:
-                    paragraph(label)
+            for label, *values in rows:
+                named = zip(section.columns[1:], values, strict=True)
+                said = say("common.listed", lang).join(f"{head} {value}" for head, value in named if value)
+                paragraph(label)
                 console.print(
                     Padding(folded(said, console.width - 2) if lang == "ja" else said, (0, 0, 0, 2))
                 )
-        if each.below:
-            paragraph(each.below)
+        if section.key == "what_hits":
+            paragraph(say("rooms.upper_bounds", lang))
     if more := len(verdict.others) - len(listed):
         paragraph(say("rooms.more_changes", lang, count=more))
     paragraph(simulations_of_room(verdict, lang))

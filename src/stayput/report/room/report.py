@@ -1,27 +1,26 @@
-"""A verdict on a room as tables of texts, for terminal and Markdown, and as a self-contained HTML page."""
+"""A verdict on a room as sections: for the terminal, as Markdown, and as a self-contained HTML page."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from markupsafe import Markup
 
 import stayput
-from stayput.catalogue import phrase, say
+from stayput.catalogue import TEXTS, phrase, say
 from stayput.montecarlo.counting import OVERTURNED, SLID
 from stayput.report.page import rendered, write_page
 from stayput.report.room.plan import change_plan, legend, room_plan
-from stayput.report.verdict import numbers
+from stayput.report.verdict import markdown, numbers
 from stayput.report.verdict.assumptions import assumptions
 from stayput.report.verdict.html import shared_content
-from stayput.report.verdict.markdown import plain, table
 from stayput.simulation.space_fate import FALLS_FROM, MAY_FALL_FROM
 from stayput.verification import room_words
 from stayput.verification.events import PASSAGE
-from stayput.verification.people import DAY_HOURS, HitVerdict
+from stayput.verification.people import DAY_HOURS, HitVerdict, People
 from stayput.wording import with_aside
 
 if TYPE_CHECKING:
@@ -29,12 +28,52 @@ if TYPE_CHECKING:
     from stayput.verification.verdict import OptionVerdict, Verdict
 
 
-class TextTable(NamedTuple):
-    """A table of texts, with what is said below it; without rows it is left out."""
+class Cell(NamedTuple):
+    """What stands in a cell of a table.
 
-    headings: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
-    below: str = ""
+    Parameters
+    ----------
+    value : str or Probability
+        Its value; a probability is told with its interval.
+    aside : str
+        What stands small beside it.
+    tag : str
+        The look of that as a tag, by a class of the style sheet; none by default.
+    """
+
+    value: str | Probability
+    aside: str = ""
+    tag: str = ""
+
+    def text(self, language: str) -> str:
+        """Return the cell as a text."""
+        value = self.value if isinstance(self.value, str) else say(self.value.texts, language)
+        return with_aside(value, self.aside, language) if value and self.aside else value or self.aside
+
+
+Row = tuple["Cell | str", ...]
+
+
+class Section(NamedTuple):
+    """A table under a heading, and what is said above it.
+
+    Parameters
+    ----------
+    key : str
+        Which it is.
+    title, about : str
+        Its heading, and what stands above the table.
+    columns : tuple of str
+        The headings of the columns.
+    rows : tuple of tuple of Cell
+        The cells, row by row.
+    """
+
+    key: str
+    title: str
+    about: str
+    columns: tuple[str, ...]
+    rows: tuple[tuple[Cell, ...], ...]
 
 
 def sentences(verdict: Verdict, language: str) -> tuple[str, ...]:
@@ -43,77 +82,108 @@ def sentences(verdict: Verdict, language: str) -> tuple[str, ...]:
     return (verdict.sentence(language), *([best] if best else []))
 
 
+def sections(verdict: Verdict, options: Sequence[OptionVerdict], language: str) -> list[Section]:
+    """Return who is hit by what, which ways out are blocked, what pieces do, and what options bring.
+
+    Pieces and what hits come with the most harmful first, options in their order. Differences are from the
+    room as it is; only a piece has a chance of overturning.
+
+    Parameters
+    ----------
+    verdict : Verdict
+        A verdict on a room.
+    options : sequence of OptionVerdict
+        The single changes to tell.
+    language : str
+        "en" or "ja".
+    """
+    tell = partial(say, language=language)
+    limit = numbers.length(verdict.slide_limit, language)
+    people, room = room_words.people_in(verdict), verdict.scenario.surroundings()
+    ways_out = any(door.door.way_out for door in people.doors)
+
+    def own(key: str, **values: object) -> str:
+        return say(f"room_report.{key}", language, **values)
+
+    def heading(key: str) -> str:
+        return own(key) if f"room_report.{key}" in TEXTS else numbers.word(key, language, limit=limit)
+
+    def section(
+        key: str, columns: Sequence[str], rows: Iterable[Row], none: str = "", **values: object
+    ) -> Section:
+        cells = tuple(tuple(cell if isinstance(cell, Cell) else Cell(cell) for cell in row) for row in rows)
+        about = own(f"{key}_text", **values) if cells else own(none)
+        return Section(key, own(key), about, tuple(map(heading, columns)), cells)
+
+    def both(low: str, most: str) -> Cell:
+        return Cell(low, numbers.word("most", language, value=most))
+
+    def here(chance: Probability, time: float) -> Cell:
+        there = own("presence", share=numbers.share(time, language))
+        return Cell(numbers.probability(chance, language), there)
+
+    def known(chance: Probability, at_rest: bool) -> Cell:
+        return Cell("", own("at_rest"), "low") if at_rest else Cell(chance)
+
+    places, hits, shut_in = list[Row](), list[Row](), list[Row]()
+    for p in people.places:
+        name = tell(room_words.place_name(p.place))
+        times = here(p.by_day, p.place.day), here(p.by_night, p.place.night)
+        places.append((name, Cell(p.hit), *times))
+        shut_in.append((name, known(p.shut_in, p.shut_in_at_rest)))
+        for hit in p.by:
+            piece = Cell(tell(room_words.piece_name(hit.piece)), tell(hit_by(hit)))
+            speed = both(numbers.speed(hit.speed.median), numbers.speed(hit.speed.p90))
+            energy = both(numbers.energy(hit.energy.median), numbers.energy(hit.energy.p90))
+            hits.append((name, piece, Cell(hit.probability), speed, energy, numbers.mass(hit.mass)))
+    doors = list[Row]()
+    for door in people.doors:
+        names = tell(room_words.door_name(door.door)), tell(f"rooms.{door.door.wall}")
+        leads_out = own("yes" if door.door.way_out else "no")
+        doors.append((*names, own(door.door.opens), leads_out, known(door.blocked, door.at_rest)))
+    pieces = list[Row]()
+    for each in room_words.pieces_in(verdict):
+        shares = Cell(each.probabilities[OVERTURNED]), Cell(each.probabilities[SLID])
+        slide = both(*numbers.slides(each.slide, room, language))
+        harm = numbers.energy(each.harm) if people.places else numbers.NO_NUMBER
+        pieces.append((tell(room_words.piece_name(each.name)), *shares, slide, harm))
+    hours = {"day": DAY_HOURS, "night": 24.0 - DAY_HOURS}
+    covers = own("covers") if verdict.motions > 1 else ""
+    of_hits = "place", "piece", "how_often", "hit_speed", "hit_energy", "mass"
+    of_doors = "door", "wall", "opens", "leads_out", "blocked"
+    of_pieces = "piece", "overturned", "slid", "slide", "piece_harm"
+    of_changes = "change", "changed_hit", "changed_shut_in", "changed_overturned", "risk"
+    changes = (_change(option, verdict, language) for option in options)
+    of_places = "place", "hit", "by_day", "by_night"
+    return [
+        section("places", of_places, places, "no_places", covers=covers, **hours),
+        *[section("what_hits", of_hits, hits, "no_hit")] * bool(places),
+        section("ways", of_doors, doors, "no_doors", passage=PASSAGE),
+        *[section("shut_in", ("place", "shut_in"), shut_in * ways_out, "no_way_out")]
+        * bool(places and doors),
+        section("pieces", of_pieces, pieces),
+        section("changes", of_changes, changes, "no_changes"),
+    ]
+
+
 def hit_by(hit: HitVerdict) -> str:
-    """Return the key of how a piece hits somebody: it falls on them, or slides against them."""
-    return "by_falling" if hit.by_falling else "by_sliding"
+    """Return the id of how a piece hits somebody: it falls on them, or slides against them."""
+    return "rooms.by_falling" if hit.by_falling else "rooms.by_sliding"
 
 
-def tables(verdict: Verdict, options: Sequence[OptionVerdict], language: str) -> tuple[TextTable, ...]:
-    """Return who is hit by what, which ways out are blocked, and what some of the options bring."""
-    people = room_words.people_in(verdict)
-
-    def texts(*keys: str) -> tuple[str, ...]:
-        return tuple(say(f"rooms.{key}", language) for key in keys)
-
-    def chance(value: Probability) -> str:
-        return say(value.texts, language)
-
-    def warned(option: OptionVerdict) -> str:
-        label, clear = (
-            verdict.label(option, language),
-            [say(tag, language) for tag in room_words.tags(option)],
-        )
-        return (
-            with_aside(label, say("common.listed", language).join(clear), language) if option.worse else label
-        )
-
-    hits: list[tuple[str, ...]] = []
-    for place in people.places:
-        shares = (numbers.probability(share, language) for share in (place.by_day, place.by_night))
-        name = say(room_words.place_name(place.place), language)
-        hits.append((name, *texts("any_piece"), chance(place.hit), *shares, "", "", ""))
-        for hit in place.by:
-            strength = numbers.speed(hit.speed.median), numbers.energy(hit.energy.median)
-            way = say(f"rooms.{hit_by(hit)}", language)
-            name = with_aside(say(room_words.piece_name(hit.piece), language), way, language)
-            hits.append(("", name, chance(hit.probability), "", "", *strength, numbers.mass(hit.mass)))
-    already = say("rooms.already", language)
-    ways = [
-        (
-            phrase("rooms.door_blocked", door=room_words.door_name(door.door)),
-            already if door.at_rest else chance(door.blocked),
-        )
-        for door in people.doors
-    ]
-    shut_in = people.places if any(door.door.way_out for door in people.doors) else ()
-    ways += [
-        (
-            phrase("rooms.place_shut_in", place=room_words.place_name(p.place)),
-            already if p.shut_in_at_rest else chance(p.shut_in),
-        )
-        for p in shut_in
-    ]
-    changes = [
-        (
-            warned(option),
-            chance(option.people.hit.chance),
-            numbers.change(option.people.hit.change, language),
-            chance(option.people.shut_in.chance),
-            ""
-            if (overturned := room_words.piece_changed(option, verdict)) is None
-            else chance(overturned[0]),
-        )
-        for option in options
-        if option.people is not None
-    ]
+def _change(option: OptionVerdict, verdict: Verdict, language: str) -> Row:
+    """Return the row of a single change."""
+    people, overturned = option.people, room_words.piece_changed(option, verdict)
+    assert people is not None
+    look = "high" if option.helps else "low" if option.worse else "model"
+    clear = say("common.listed", language).join(say(tag, language) for tag in room_words.tags(option))
+    change = partial(numbers.change, language=language)
     return (
-        TextTable(
-            texts("who", "by", "chance", "day", "night", "speed", "energy", "mass"),
-            tuple(hits),
-            *texts("upper_bounds"),
-        ),
-        TextTable(texts("way", "chance"), tuple((say(label, language), blocked) for label, blocked in ways)),
-        TextTable(texts("change", "hit_then", "hit_less", "shut_in_then", "overturned_then"), tuple(changes)),
+        Cell(verdict.label(option, language), clear, look),
+        Cell(people.hit.chance, change(people.hit.change)),
+        Cell(people.shut_in.chance, change(people.shut_in.change)),
+        "" if overturned is None else Cell(overturned[0], change(overturned[1])),
+        Cell(_risk(people)),
     )
 
 
@@ -127,11 +197,14 @@ def simulations_of_room(verdict: Verdict, language: str) -> str:
 def room_markdown(verdict: Verdict, language: str = "en") -> str:
     """Return a verdict on a room as a text in Markdown, in "en" or "ja"."""
     first, *others = sentences(verdict, language)
-    lines = [f"# {plain(verdict.scenario.title or say('rooms.report', language))}", f"\n**{plain(first)}**"]
-    lines += [f"\n{plain(sentence)}" for sentence in others]
-    for each in tables(verdict, verdict.others, language):
+    title = verdict.scenario.title or say("rooms.report", language)
+    lines = [f"# {markdown.plain(title)}", f"\n**{markdown.plain(first)}**"]
+    lines += [f"\n{markdown.plain(sentence)}" for sentence in others]
+    for each in sections(verdict, verdict.others, language):
+        lines += [f"\n## {each.title}", f"\n{each.about}"]
         if each.rows:
-            lines += ["", *table(each.headings, each.rows), *([f"\n{each.below}"] if each.below else [])]
+            rows = (tuple(cell.text(language) for cell in row) for row in each.rows)
+            lines += ["", *markdown.table(each.columns, rows)]
     lines += [f"\n{simulations_of_room(verdict, language)}", f"\nstayput {stayput.__version__}"]
     return "\n".join(lines) + "\n"
 
@@ -175,109 +248,21 @@ def room_html(verdict: Verdict, language: str = "en") -> str:
         **shared_content(verdict, "room_report", kind, SHEETS, assumptions(verdict), language),
         "people": people,
         "headline": headline,
-        "risk": _risk(people.risk, people.hit.chance, language),
+        "risk": _risk(people),
         "others": others,
         "simulations": simulations_of_room(verdict, language),
         "plan": Markup(room_plan(verdict, language)),
         "legend": [(Markup(swatch), name) for swatch, name in legend(language)],
-        "hours": {"day": DAY_HOURS, "night": 24.0 - DAY_HOURS},
-        "passage": PASSAGE,
         "falls_from": 100.0 * FALLS_FROM,
         "may_fall_from": 100.0 * MAY_FALL_FROM,
         "ways_out": any(door.door.way_out for door in people.doors),
-        "places": [
-            {
-                "name": say(room_words.place_name(place.place), language),
-                "hit": place.hit,
-                "times": [
-                    (
-                        numbers.probability(chance, language),
-                        say("room_report.presence", language, share=numbers.share(time, language)),
-                    )
-                    for chance, time in ((place.by_day, place.place.day), (place.by_night, place.place.night))
-                ],
-                "shut_in": place.shut_in,
-            }
-            for place in people.places
-        ],
-        "hits": hit_rows(verdict, language),
-        "doors": [
-            {
-                "name": say(room_words.door_name(door.door), language),
-                "wall": say(f"rooms.{door.door.wall}", language),
-                "opens": say(f"room_report.{door.door.opens}", language),
-                "leads_out": say(f"room_report.{'yes' if door.door.way_out else 'no'}", language),
-                "blocked": door.blocked,
-                "at_rest": door.at_rest,
-            }
-            for door in people.doors
-        ],
-        "pieces": piece_rows(verdict, language),
-        "changes": change_rows(verdict, language),
+        "sections": sections(verdict, verdict.others, language),
         "moved": None if moved is None else (Markup(moved[0]), moved[1]),
     }
     return rendered("room/room.html", content)
 
 
-def _risk(risk: float, hit: Probability, language: str) -> str:
-    """Return a chance of being hit that counts how long somebody is there, as finely as that of a hit."""
-    return numbers.probability(hit.scaled(risk / hit.estimate if hit.estimate else 1.0), language)
-
-
-def hit_rows(verdict: Verdict, language: str) -> list[dict[str, Any]]:
-    """Return what hits each place, the most harmful first: median and 90 % quantile of speed and energy."""
-    return [
-        {
-            "place": say(room_words.place_name(place.place), language),
-            "piece": say(room_words.piece_name(hit.piece), language),
-            "way": say(f"rooms.{hit_by(hit)}", language),
-            "chance": hit.probability,
-            "speed": (numbers.speed(hit.speed.median), numbers.speed(hit.speed.p90)),
-            "energy": (numbers.energy(hit.energy.median), numbers.energy(hit.energy.p90)),
-            "mass": numbers.mass(hit.mass),
-        }
-        for place in room_words.people_in(verdict).places
-        for hit in place.by
-    ]
-
-
-def piece_rows(verdict: Verdict, language: str) -> list[dict[str, Any]]:
-    """Return the pieces, the most harmful first, with median and 90 % quantile of their slides."""
-    room = verdict.scenario.surroundings()
-    return [
-        {
-            "name": say(room_words.piece_name(piece.name), language),
-            "overturned": piece.probabilities[OVERTURNED],
-            "slid": piece.probabilities[SLID],
-            "slide": numbers.slides(piece.slide, room, language),
-            "harm": numbers.energy(piece.harm) if room_words.people_in(verdict).places else numbers.NO_NUMBER,
-        }
-        for piece in room_words.pieces_in(verdict)
-    ]
-
-
-def change_rows(verdict: Verdict, language: str) -> list[dict[str, Any]]:
-    """Return the single changes, the best first.
-
-    Their differences are from the room as it is; only a piece has a chance of overturning.
-    """
-    change = partial(numbers.change, language=language)
-    rows: list[dict[str, Any]] = []
-    for result in verdict.others:
-        people, overturned = result.people, room_words.piece_changed(result, verdict)
-        assert people is not None
-        rows.append(
-            {
-                "label": verdict.label(result, language),
-                "kind": "better" if result.helps else "worse" if result.worse else "chance",
-                "tags": [say(tag, language) for tag in room_words.tags(result)],
-                "hit": people.hit.chance,
-                "hit_change": change(people.hit.change),
-                "shut_in": people.shut_in.chance,
-                "shut_in_change": change(people.shut_in.change),
-                "overturned": None if overturned is None else overturned[0],
-                "overturned_change": "" if overturned is None else change(overturned[1]),
-                "risk": _risk(people.risk, people.hit.chance, language),
-            }
-        )
-    return rows
+def _risk(people: People) -> Probability:
+    """Return the chance that somebody is hit, counting how long people are at their places."""
+    hit = people.hit.chance
+    return hit.scaled(people.risk / hit.estimate if hit.estimate else 1.0)
