@@ -30,7 +30,7 @@ from stayput.verification.contest import Contest
 from stayput.verification.search import TRIED
 
 if TYPE_CHECKING:
-    from stayput.scenario.option import Option
+    from stayput.scenario.measures import Option
     from stayput.verification import Verdict
 
 BEDROOM = Path(__file__).parents[1] / "examples" / "bedroom.toml"

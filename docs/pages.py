@@ -24,7 +24,7 @@ from stayput.model.body import FURNITURE, Preset
 from stayput.model.parameters import parameters
 from stayput.motion import seismogram
 from stayput.motion.readers import READERS
-from stayput.scenario.messages import kinds
+from stayput.scenario.toml import kinds
 from stayput.simulation.outcome import QUANTITIES
 from stayput.vocabulary import also_called
 

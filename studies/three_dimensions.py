@@ -19,7 +19,7 @@ from stayput import Scenario, Suite, synthetic_suite
 from stayput.fragility.paired import difference
 from stayput.measures import MEASURES
 from stayput.report.palette import INK
-from stayput.scenario.option import Option
+from stayput.scenario.measures import Option
 from stayput.uncertainty import USUAL
 from stayput.verification.contest import Contest
 from studies.study import COLOURS, Quantity, Study, panels

@@ -26,7 +26,7 @@ from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion.synthetic import near_fault
 from stayput.report.palette import ALARM, INK
-from stayput.scenario.option import Option
+from stayput.scenario.measures import Option
 from studies.study import Quantity, Study, claim, panels, span
 
 if TYPE_CHECKING:

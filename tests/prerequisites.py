@@ -50,7 +50,7 @@ def find_chromium() -> str | None:
 def has_japanese_font() -> bool:
     """Return whether the pictures find a font with Japanese letters."""
     # asked in a new process: Matplotlib looks for the system's fonts once in each
-    search = "from stayput.report.fonts import _other; raise SystemExit(_other(frozenset('対策')) is None)"
+    search = "from stayput.report.figures import _other; raise SystemExit(_other(frozenset('対策')) is None)"
     return _runs([sys.executable, "-c", search])
 
 

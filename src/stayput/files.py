@@ -1,4 +1,4 @@
-"""Checks of output paths, atomic file writes, and CSV that is safe in spreadsheets, which run formulas."""
+"""Output paths and atomic writes, CSV that is safe in spreadsheets; optional libraries."""
 
 from __future__ import annotations
 
@@ -10,11 +10,28 @@ import secrets
 import shutil
 from collections.abc import Generator, Iterable, Sequence
 from contextlib import contextmanager, suppress
+from importlib import import_module
 from os import PathLike
 from pathlib import Path
+from typing import Any
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, excerpt, instance_of, not_allowed, quoted, reason_of
+from stayput.errors import InputError, absent, excerpt, instance_of, not_allowed, quoted, reason_of
+
+
+def arrow(part: str = "") -> Any:
+    """Return PyArrow, or a part of it such as "parquet"; it has no types for a checker.
+
+    Raises
+    ------
+    InputError
+        It is not installed.
+    """
+    try:
+        return import_module(f"pyarrow.{part}" if part else "pyarrow")
+    except ImportError:
+        raise absent("An assessment", "PyArrow", "inventory") from None
+
 
 CSV_ENCODING = "utf-8-sig"
 """Encoding of the CSV files that people open: by its byte order mark Excel tells that they are UTF-8."""

@@ -11,7 +11,7 @@ from stayput.app.messages import RefusedError
 from stayput.app.verification import runs_of, with_options
 from stayput.contents.contents import Contents
 from stayput.scenario import Scenario
-from stayput.scenario.option import YOURS
+from stayput.scenario.measures import YOURS
 from stayput.verification.contents import MOTIONS, runs_of_contents
 from stayput.verification.options import compared_options
 

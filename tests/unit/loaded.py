@@ -10,7 +10,7 @@ import scipy.stats  # noqa: F401
 
 import stayput as sp
 from conftest import load_solvers
-from stayput.extras import arrow
+from stayput.files import arrow
 from stayput.inventory.assess import assess  # noqa: F401
 
 with suppress(ImportError):  # for the workers of a cluster

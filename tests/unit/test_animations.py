@@ -15,8 +15,8 @@ from PIL import Image
 
 import stayput as sp
 from stayput.report.animation import animate_run, film_of, frame_times, player_page
+from stayput.report.figures import font, wrapped
 from stayput.report.film.layout import FrameLayout
-from stayput.report.fonts import font, wrapped
 from stayput.report.palette import ALARM, rgb
 
 if TYPE_CHECKING:

@@ -10,8 +10,13 @@ from typer.testing import CliRunner
 
 import stayput as sp
 from stayput.building.building import STRUCTURES, Building, Isolation
-from stayput.building.model import ShearModel
-from stayput.building.modes import ai_distribution, spectral_factor, storey_stiffnesses, weight_above
+from stayput.building.model import (
+    ShearModel,
+    ai_distribution,
+    spectral_factor,
+    storey_stiffnesses,
+    weight_above,
+)
 from stayput.cli import app
 from stayput.motion.processing import peak_velocity
 

@@ -15,7 +15,7 @@ from stayput.files import harmless, name_part
 from stayput.fragility.intensity_measures import INTENSITY_MEASURES
 from stayput.report.verdict import exports
 from stayput.report.verdict.exports import plain_names
-from stayput.scenario.option import Option
+from stayput.scenario.measures import Option
 
 PGA = INTENSITY_MEASURES["PGA"]
 NAMES = st.text(st.characters(exclude_categories=("Cs",)), min_size=1, max_size=200)

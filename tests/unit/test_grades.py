@@ -14,9 +14,8 @@ from stayput.app.verification import verdict_reply
 from stayput.measures import MEASURES, GelMats, LBracket, LockedCasters, parameters
 from stayput.measures.measure import GRADE_OF, MEANINGS, Grade
 from stayput.report.verdict.html import report_html
-from stayput.report.verdict.markdown import verdict_markdown
-from stayput.report.verdict.tables import verdict_csv
-from stayput.scenario.option import Option
+from stayput.report.verdict.tables import verdict_csv, verdict_markdown
+from stayput.scenario.measures import Option
 from stayput.verification.notes import APART, notes
 from stayput.verification.options import grade, inputs, weakest
 

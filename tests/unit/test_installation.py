@@ -13,8 +13,7 @@ from stayput.measures import MEASURES, Belt, GelMats, LBracket, LBracketInBoard,
 from stayput.measures.measure import FAULTY
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.verdict.html import report_html
-from stayput.report.verdict.markdown import verdict_markdown
-from stayput.report.verdict.tables import verdict_csv
+from stayput.report.verdict.tables import verdict_csv, verdict_markdown
 from stayput.verification.words import reason
 
 ROOM = sp.Room(left_wall=sp.Wall(0.02), ceiling=sp.Ceiling(2.4))

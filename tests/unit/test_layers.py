@@ -14,7 +14,7 @@ SOURCES = Path(stayput.__file__).parent
 
 LAYERS = (
     {"catalogue", "errors"},
-    {"extras", "files", "saved", "wording", "vocabulary"},
+    {"files", "saved", "wording", "vocabulary"},
     {"progress", "execution", "uncertainty"},
     {"compiling"},
     {"mechanics", "model"},

@@ -16,9 +16,8 @@ from stayput.inventory import assess
 from stayput.measures import Belt, TensionPole
 from stayput.report.verdict.exports import write_curves
 from stayput.report.verdict.html import report_html
-from stayput.report.verdict.markdown import verdict_markdown
-from stayput.report.verdict.tables import verdict_csv
-from stayput.scenario.option import Option
+from stayput.report.verdict.tables import verdict_csv, verdict_markdown
+from stayput.scenario.measures import Option
 from stayput.verification import verify
 from stayput.verification.options import Impossible, compared_options
 

@@ -26,7 +26,7 @@ from stayput.model.state import State
 from stayput.motion.ground_shaking import EarthquakeSource
 from stayput.motion.suites.synthesis import synthetic_suite
 from stayput.scenario import Scenario
-from stayput.scenario.messages import kinds
+from stayput.scenario.toml import kinds
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -11,7 +11,7 @@ import stayput as sp
 from stayput.errors import InputError
 from stayput.model.body import FURNITURE
 from stayput.scenario import Scenario, read_scenario
-from stayput.scenario.messages import kinds
+from stayput.scenario.toml import kinds
 
 SCHEMA = Scenario.schema()
 LEAST = {"furniture": {"preset": "bookcase"}}

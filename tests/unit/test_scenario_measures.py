@@ -9,7 +9,7 @@ from commands import cli
 import stayput as sp
 from stayput.measures import MEASURES, GelMats, LBracket, TensionPole, WedgeStopper, parameters
 from stayput.scenario import Scenario, read_scenario
-from stayput.scenario.option import Option
+from stayput.scenario.measures import Option
 
 LEAST = {"furniture": {"preset": "bookcase"}}
 FILE = """

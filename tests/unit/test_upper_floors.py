@@ -32,8 +32,7 @@ from stayput.report.plot import plot_run
 from stayput.report.verdict.data import verdict_data
 from stayput.report.verdict.exports import demand_of
 from stayput.report.verdict.html import curves_svg, report_html
-from stayput.report.verdict.markdown import verdict_markdown
-from stayput.report.verdict.tables import verdict_csv
+from stayput.report.verdict.tables import verdict_csv, verdict_markdown
 from stayput.scenario.shaking import STRENGTHS
 from stayput.verification.words import class_label
 

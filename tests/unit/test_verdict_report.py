@@ -32,10 +32,9 @@ from stayput.report.verdict.assumptions import assumptions
 from stayput.report.verdict.data import verdict_data
 from stayput.report.verdict.exports import write_curves
 from stayput.report.verdict.html import legend
-from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.numbers import capacity, capacity_interval, change, force, length, share
-from stayput.report.verdict.tables import device_rows, simulations, verdict_csv
-from stayput.scenario.option import Option
+from stayput.report.verdict.tables import device_rows, simulations, verdict_csv, verdict_markdown
+from stayput.scenario.measures import Option
 from stayput.simulation.outcome import EventKind, Mode, Outcome
 from stayput.uncertainty import USUAL
 from stayput.verification.contents import ContentsVerdict, Leaving

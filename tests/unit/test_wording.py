@@ -20,7 +20,7 @@ from stayput.measures import MEASURES, Belt, DeviceResult
 from stayput.montecarlo.counting import DEVICE_FAILED, Quantiles
 from stayput.report.summary import rows, sentence, sentences_of_piece
 from stayput.report.verdict import numbers
-from stayput.scenario.option import Option
+from stayput.scenario.measures import Option
 from stayput.simulation.outcome import Outcome
 from stayput.verification.notes import shaken_notes
 from stayput.verification.words import headline, reason, title

@@ -12,7 +12,7 @@ from stayput.fragility.probabilities import probability
 from stayput.fragility.trials import Trials
 from stayput.measures import Belt, FeltGlides
 from stayput.montecarlo.counting import EVENTS, Member, Quantiles
-from stayput.scenario.option import Option
+from stayput.scenario.measures import Option
 from stayput.simulation.space_fate import expected
 from stayput.standards.equipment import equipment_loads
 from stayput.verification.notes import Ac156Estimate, Estimates, SlidingShare

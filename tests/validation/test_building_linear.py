@@ -9,8 +9,7 @@ from scipy.signal import StateSpace, lsim
 
 import stayput as sp
 from stayput.building.building import Building
-from stayput.building.model import ShearModel
-from stayput.building.modes import strain_energy_damping
+from stayput.building.model import ShearModel, strain_energy_damping
 
 RNG = np.random.default_rng(4)
 MASSES = RNG.uniform(1e5, 5e5, 12)

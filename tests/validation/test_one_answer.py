@@ -10,7 +10,7 @@ import pytest
 import stayput as sp
 from stayput.measures import GelMats, LBracket
 from stayput.montecarlo.counting import OVERTURNED
-from stayput.scenario.option import Option
+from stayput.scenario.measures import Option
 from stayput.verification.contest import Contest
 
 SHAKEN = {"shaking": {"intensity": "6-upper", "suite": {"count": 4}}, "uncertainty": {"samples": 8}}

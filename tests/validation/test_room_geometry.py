@@ -16,8 +16,8 @@ from scipy.optimize import linprog
 import stayput as sp
 from stayput.model.floor_plan import rectangle
 from stayput.model.parameters import STANDARD_GRAVITY
-from stayput.simulation.convex import inside_each_other
 from stayput.simulation.groups import Track, at_rest, meet, outline_of, stirring
+from stayput.simulation.piece import inside_each_other
 from stayput.verification.events import CELL, ENTERS_BY, PASSAGE, RoomContact, Ways, contact_with_place
 
 

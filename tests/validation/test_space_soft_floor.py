@@ -19,7 +19,7 @@ from stayput.fragility.paired import difference
 from stayput.measures import MEASURES
 from stayput.model.soft_base import rigid_half_base
 from stayput.montecarlo.counting import SLIDE_LIMIT
-from stayput.scenario.option import Option
+from stayput.scenario.measures import Option
 from stayput.verification.contest import Contest
 
 if TYPE_CHECKING:

@@ -15,7 +15,7 @@ import stayput as sp
 from real_records import MOTIONS
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
 from stayput.motion.intensity import intensity_class
-from stayput.scenario.option import Option
+from stayput.scenario.measures import Option
 from studies.study import span
 from studies.tokyo import (
     ALONE,

@@ -26,7 +26,7 @@ from stayput.motion.units import known_unit
 from stayput.report.summary import attribute
 from stayput.scenario import Scenario
 from stayput.scenario.measures import MeasureTable, SingleChoice
-from stayput.scenario.messages import shown
+from stayput.scenario.toml import shown
 
 STANDS_FOR = "x-stands-for"
 """Mark, in a schema, of what stands in the description of the API under a name of its own."""

@@ -22,7 +22,7 @@ from stayput.motion.intensity import intensity_class, published_intensity
 from stayput.report.film.scene import TIME_DIGITS, ground_displacement, posed, scene_of
 from stayput.report.film.shape import rounded
 from stayput.report.summary import device_results, piece_results, place_called, sentences_of_piece
-from stayput.scenario.option import YOURS
+from stayput.scenario.measures import YOURS
 from stayput.simulation.outcome import EventKind
 from stayput.simulation.space_fate import ROCKED, SLID
 from stayput.verification.contest import drawn_run

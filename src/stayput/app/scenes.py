@@ -15,7 +15,7 @@ from stayput.errors import InputError
 from stayput.model.parameters import parameter_of
 from stayput.motion.synthetic import sine
 from stayput.scenario import Scenario
-from stayput.scenario.option import YOURS
+from stayput.scenario.measures import YOURS
 from stayput.scenario.shaking import RECORD_FILES, ShakingTable, SuiteTable
 
 if TYPE_CHECKING:

@@ -41,7 +41,7 @@ from stayput.catalogue import LANGUAGES, TEXTS, Language, earthquake, page, phra
 from stayput.errors import InputError, InputWarning, reason_of
 from stayput.report.page import inks_css
 from stayput.scenario import Scenario
-from stayput.scenario.option import YOURS
+from stayput.scenario.measures import YOURS
 from stayput.verification import verify
 
 if TYPE_CHECKING:

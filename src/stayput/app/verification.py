@@ -21,8 +21,7 @@ from stayput.report.summary import by_language
 from stayput.report.verdict.data import everyday_data, verdict_data
 from stayput.report.verdict.tables import estimate_rows
 from stayput.scenario import Scenario
-from stayput.scenario.measures import table_of
-from stayput.scenario.option import YOURS
+from stayput.scenario.measures import YOURS, table_of
 from stayput.verification.compare import LEVELS
 from stayput.verification.contents import runs_of_contents
 from stayput.verification.events import CELL

@@ -9,8 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from stayput.building.model import AMPLIFICATION_RANGE, MOST_STOREYS, ShakenFloors, ShearModel
-from stayput.building.modes import (
+from stayput.building.model import (
+    AMPLIFICATION_RANGE,
+    MOST_STOREYS,
+    ShakenFloors,
+    ShearModel,
     ai_distribution,
     natural_modes,
     spectral_factor,

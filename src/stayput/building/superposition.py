@@ -26,19 +26,15 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from stayput.building.modes import parts_of_step
+from stayput.building.model import ShearModel, parts_of_step
 from stayput.compiling import entry, inline, inner
 from stayput.errors import InputError
 from stayput.motion.processing import peak_velocity, refine
 from stayput.motion.response import step_coefficients
-
-if TYPE_CHECKING:
-    from stayput.building.model import ShearModel
 
 STEP_ROWS = 10
 """Rows of a step's coefficients: those of `step_coefficients`, then 2ζω and ω²."""

@@ -18,7 +18,7 @@ import stayput
 from stayput.catalogue import Language, phrase
 from stayput.errors import InputError, instance_of, not_allowed, reason_of, within
 from stayput.execution import Pool
-from stayput.extras import arrow
+from stayput.files import arrow
 from stayput.inventory.columns import read_columns
 from stayput.inventory.folder import MANIFEST, PLAN, called, check_parts, claimed, input_digest, inputs_of
 from stayput.inventory.plan import make_plan

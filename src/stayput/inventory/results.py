@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from stayput.extras import arrow
+from stayput.files import arrow
 from stayput.fragility.paired import Difference, difference, score_interval
 from stayput.fragility.probabilities import CONFIDENCE, probability_of_counts
 from stayput.inventory.folder import Workspace, digest_of

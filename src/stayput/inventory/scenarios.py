@@ -22,8 +22,7 @@ from stayput.inventory.shakemap import GroundLevel, ShakeMap, distances
 from stayput.motion.floors import of_the_ground
 from stayput.scenario import Scenario
 from stayput.scenario.fields import Table, Text, between
-from stayput.scenario.messages import refusal_of
-from stayput.scenario.toml import read_toml
+from stayput.scenario.toml import read_toml, refusal_of
 from stayput.vocabulary import meant
 
 if TYPE_CHECKING:

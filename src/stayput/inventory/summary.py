@@ -19,8 +19,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from stayput.errors import unknown
-from stayput.extras import arrow
-from stayput.files import CSV_ENCODING, harmless
+from stayput.files import CSV_ENCODING, arrow, harmless
 from stayput.inventory.plan import REJECTED, ROWS_PER_PART
 from stayput.inventory.results import ENDS, PIECES, Finding, schema
 from stayput.verification.words import SAFE, SMALL

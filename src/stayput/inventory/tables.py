@@ -19,7 +19,7 @@ from xml.etree.ElementTree import iterparse
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, absent, not_allowed
-from stayput.extras import arrow
+from stayput.files import arrow
 from stayput.inventory.cells import Cell, Unusable
 from stayput.inventory.folder import unreadable
 

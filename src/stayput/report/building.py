@@ -13,8 +13,7 @@ from stayput.building.response import FloorDrawing, FloorResponse
 from stayput.catalogue import phrase, say
 from stayput.errors import word_of
 from stayput.motion.response import DAMPING, PERIODS
-from stayput.report.figures import label_axes, legend_within, new_figure, plain_log, saved, style
-from stayput.report.fonts import drawable
+from stayput.report.figures import drawable, label_axes, legend_within, new_figure, plain_log, saved, style
 from stayput.report.names import given_name, motion_label
 from stayput.report.palette import COMPONENT_COLOURS, INK, MUTED
 

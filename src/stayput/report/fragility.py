@@ -16,8 +16,16 @@ from stayput.errors import InputError, within
 from stayput.fragility.curve import CurveState, FragilityCurve
 from stayput.fragility.intensity_measures import JMA_INTENSITY, IntensityMeasure
 from stayput.montecarlo.counting import OVERTURNED
-from stayput.report.figures import FONT, label_axes, new_figure, plain_log, saved, shaded_classes, style
-from stayput.report.fonts import drawable
+from stayput.report.figures import (
+    FONT,
+    drawable,
+    label_axes,
+    new_figure,
+    plain_log,
+    saved,
+    shaded_classes,
+    style,
+)
 from stayput.report.palette import COMPONENT_COLOURS, INK, MUTED
 from stayput.report.verdict import numbers
 from stayput.verification.words import title

@@ -12,8 +12,7 @@ from stayput.errors import InputError
 from stayput.model.room import Room
 from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS
 from stayput.report.building import draw_modes
-from stayput.report.figures import embedded, new_figure
-from stayput.report.fonts import with_fallback
+from stayput.report.figures import embedded, new_figure, with_fallback
 from stayput.report.fragility import draw_curve, draw_ranking
 from stayput.report.names import motion_label
 from stayput.report.plot import plot_motion, plot_run

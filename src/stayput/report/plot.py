@@ -27,14 +27,16 @@ from stayput.report.figures import (
     FONT,
     LINE,
     colour_beside,
+    drawable,
     label_axes,
     legend_within,
     new_figure,
     saved,
     style,
+    with_face,
+    wrapped,
 )
 from stayput.report.film.shape import OPENINGS, STILL_LOOKS, still_of
-from stayput.report.fonts import drawable, with_face, wrapped
 from stayput.report.history import spans, with_overturning
 from stayput.report.names import acceleration_label, motion_label, names_of
 from stayput.report.palette import (

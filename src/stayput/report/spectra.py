@@ -16,7 +16,7 @@ from stayput.motion.intensity import LONG_PERIOD_BOUNDS, LONG_PERIODS
 from stayput.motion.response import DAMPING, PERIODS, SpectralResponse, fourier_amplitude, konno_ohmachi
 from stayput.motion.suites.suite import Suite, SuiteSpectra
 from stayput.report import figures
-from stayput.report.fonts import drawable
+from stayput.report.figures import drawable
 from stayput.report.names import given_name
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, MUTED
 from stayput.wording import counted

@@ -54,7 +54,7 @@ from stayput.verification.verdict import OptionVerdict, Verdict
 if TYPE_CHECKING:
     from stayput.fragility.probabilities import Probability
     from stayput.measures import Measure
-    from stayput.scenario.option import Option
+    from stayput.scenario.measures import Option
 
 WEAKER_CLASSES = ("6-upper", "6-lower", "5-upper", "5-lower", "4")
 """Classes of intensity, the strongest first, in which it is tried whether a device that is too weak holds."""

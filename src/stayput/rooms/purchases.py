@@ -21,7 +21,7 @@ from stayput.uncertainty import USUAL
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
-    from stayput.scenario.option import Option
+    from stayput.scenario.measures import Option
     from stayput.verification.contest import Contest
 
 QUANTILE = 0.95

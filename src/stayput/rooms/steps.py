@@ -365,8 +365,7 @@ class ActionPlan:
 
     def to_json(self) -> str:
         """Return the plan as JSON; keys carry their units."""
-        from stayput.report.room.data import plan_data
-        from stayput.report.verdict.data import json_text
+        from stayput.report.verdict.data import json_text, plan_data
 
         return json_text(plan_data(self))
 

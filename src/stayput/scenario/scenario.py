@@ -17,8 +17,7 @@ from stayput.errors import InputError, instance_of, no_length, not_allowed, refu
 from stayput.measures.measure import refuse_conflicts
 from stayput.motion.suites.suite import Suite
 from stayput.scenario.fields import between, checked
-from stayput.scenario.measures import MeasureChoice, UncertaintyTable
-from stayput.scenario.option import NOTHING, Option
+from stayput.scenario.measures import NOTHING, MeasureChoice, Option, UncertaintyTable
 from stayput.scenario.pieces import OptionTable  # noqa: TC001 - pydantic reads the annotations
 from stayput.scenario.scene import SceneTables
 from stayput.scenario.shaking import ShakingTable

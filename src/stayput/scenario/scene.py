@@ -20,10 +20,10 @@ from stayput.model.floor_plan import MOST_PLACES, PLACES, Door, FloorPlan, Perso
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import WALLS_AROUND, Room
 from stayput.scenario.fields import TABLE, Table, Text, ValueTable, between, checked, fields_of, named, one_of
-from stayput.scenario.messages import refusal_of
-from stayput.scenario.option import AS_STATED, Option
+from stayput.scenario.measures import AS_STATED, Option
 from stayput.scenario.pieces import Coordinate, JointTable, PieceTable, in_place
 from stayput.scenario.tables import RoomTable
+from stayput.scenario.toml import refusal_of
 from stayput.simulation.scene import MOST_BODIES, Joint, Scene, refuse_places
 
 if TYPE_CHECKING:

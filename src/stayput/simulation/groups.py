@@ -19,12 +19,11 @@ from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
 from stayput.mechanics.space.touching import ROOM
-from stayput.simulation.convex import Convex, ConvexShape, separation
+from stayput.simulation.piece import Convex, ConvexShape, Piece, separation
 from stayput.simulation.space_engine import MOST_HITS, Gaps, SpaceTrace
 from stayput.simulation.space_records import frames_of, matrices
 
 if TYPE_CHECKING:
-    from stayput.simulation.piece import Piece
     from stayput.simulation.run import Run
     from stayput.simulation.scene import Scene
 

@@ -24,8 +24,7 @@ from stayput.errors import (
 )
 from stayput.model.floor_plan import FACING, PLACE_NAMES, FloorPlan, PersonPlace
 from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room, Wall
-from stayput.simulation.convex import inside_each_other
-from stayput.simulation.piece import BEHIND, Piece, vector_of
+from stayput.simulation.piece import BEHIND, Piece, inside_each_other, vector_of
 from stayput.simulation.run import default_names
 from stayput.simulation.space_engine import DEEPEST
 from stayput.wording import name_quoted

@@ -15,10 +15,9 @@ from stayput.errors import InputError
 from stayput.measures import MEASURES, Measure
 from stayput.measures.wall import REACH, WallDevice, most_on_studs
 from stayput.model.floor_plan import FACING, FloorPlan, PersonPlace, rectangle
-from stayput.scenario.option import Moved, Option
-from stayput.simulation.convex import inside_each_other
+from stayput.scenario.measures import Moved, Option
 from stayput.simulation.groups import outline_of
-from stayput.simulation.piece import BEHIND, Piece
+from stayput.simulation.piece import BEHIND, Piece, inside_each_other
 from stayput.simulation.placing import placed
 from stayput.simulation.space_engine import DEEPEST
 from stayput.verification.events import PASSAGE

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from stayput.measures import Element
     from stayput.montecarlo.runs import Falls, Runs
     from stayput.scenario import Scenario
-    from stayput.scenario.option import Option
+    from stayput.scenario.measures import Option
 
 LEVELS: NDArray[np.float64] = np.linspace(4.25, 7.0, 12)
 """JMA intensities of the ground for the fragility curves: ends and middles of the classes from 4 to 7."""

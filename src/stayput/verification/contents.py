@@ -24,7 +24,7 @@ from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
     from stayput.model.body import Body
-    from stayput.scenario.option import Option
+    from stayput.scenario.measures import Option
     from stayput.verification.contest import Contest
 
 OPEN = 0.5

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from stayput.montecarlo.counting import Member
     from stayput.motion.record import Motion
     from stayput.scenario import Scenario
-    from stayput.scenario.option import Option
+    from stayput.scenario.measures import Option
     from stayput.simulation.run import Run
     from stayput.simulation.scene import Scene
 

@@ -22,8 +22,7 @@ from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.motion.record import Motion
 from stayput.motion.suites.suite import Suite
-from stayput.scenario.measures import table_of
-from stayput.scenario.option import NOTHING, Option
+from stayput.scenario.measures import NOTHING, Option, table_of
 from stayput.scenario.scenario import Scenario
 from stayput.simulation.case import Case
 from stayput.uncertainty import Uncertainty

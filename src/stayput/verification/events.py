@@ -18,12 +18,11 @@ from scipy import ndimage
 from stayput.mechanics.columns import OVERTURNED_OUTCOME
 from stayput.model.floor_plan import Door, FloorPlan, PersonPlace, rectangle
 from stayput.montecarlo.scenes import Seen
-from stayput.simulation.convex import box_of, separation
 from stayput.simulation.groups import Touching, Track, at_rest, body_at, bounds_of, touching_of, tracks_of
+from stayput.simulation.piece import Piece, box_of, separation
 
 if TYPE_CHECKING:
     from stayput.montecarlo.runs import Runs
-    from stayput.simulation.piece import Piece
     from stayput.simulation.run import Run
 
 _images: Any = ndimage  # its results depend on its arguments, which its types do not tell

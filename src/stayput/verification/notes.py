@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from stayput.model.body import Body
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.scenario import Scenario
-    from stayput.scenario.option import Option
+    from stayput.scenario.measures import Option
     from stayput.verification.verdict import Verdict
 
 

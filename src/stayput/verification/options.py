@@ -20,7 +20,7 @@ from stayput.model.body import FURNITURE
 from stayput.model.parameters import GIVEN, parameters
 from stayput.model.room import SURFACES, Floor
 from stayput.model.state import refuse_bad_start
-from stayput.scenario.option import NOTHING, Option
+from stayput.scenario.measures import NOTHING, Option
 from stayput.simulation.placing import placed
 from stayput.uncertainty import Confidence
 from stayput.wording import inside, joined

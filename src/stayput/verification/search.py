@@ -24,7 +24,7 @@ from stayput.verification.people import hardest, harm_of, hits_in, risk_of
 
 if TYPE_CHECKING:
     from stayput.montecarlo.runs import Runs
-    from stayput.scenario.option import Option
+    from stayput.scenario.measures import Option
     from stayput.simulation.piece import Piece
     from stayput.simulation.scene import Scene
     from stayput.verification.contest import Contest

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from stayput.fragility.probabilities import Probability
     from stayput.measures.measure import Grade
     from stayput.scenario import Scenario
-    from stayput.scenario.option import Option
+    from stayput.scenario.measures import Option
     from stayput.verification.changes import Change
     from stayput.verification.contents import ContentsVerdict
     from stayput.verification.events import Zones
@@ -393,13 +393,13 @@ class Verdict(InJson):
     def to_markdown(self, language: str = "en") -> str:
         """Return the verdict as Markdown, in "en" or "ja"."""
         from stayput.report.room.report import room_markdown
-        from stayput.report.verdict.markdown import verdict_markdown
+        from stayput.report.verdict.tables import verdict_markdown
 
         return (verdict_markdown if self.scenario.plan is None else room_markdown)(self, language)
 
     def to_csv(self) -> str:
         """Return the ranking as CSV, or of a room all probabilities."""
-        from stayput.report.room.data import room_csv
+        from stayput.report.verdict.data import room_csv
         from stayput.report.verdict.tables import verdict_csv
 
         return (verdict_csv if self.scenario.plan is None else room_csv)(self)

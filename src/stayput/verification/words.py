@@ -17,7 +17,7 @@ from stayput.simulation.space_fate import MAY_FALL_FROM
 from stayput.wording import FAR, inside, is_open, joined, name_within, with_aside
 
 if TYPE_CHECKING:
-    from stayput.scenario.option import Option
+    from stayput.scenario.measures import Option
     from stayput.verification.verdict import OptionVerdict, Verdict
 
 SMALL = 0.005

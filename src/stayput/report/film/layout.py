@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from stayput.report.fonts import font, with_face, wrapped
+from stayput.report.figures import font, with_face, wrapped
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, FAINT, INK, MUTED, PAPER, STABILITY_COLOURS
 
 if TYPE_CHECKING:

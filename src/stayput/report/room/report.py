@@ -14,7 +14,7 @@ from stayput.catalogue import TEXTS, phrase, say
 from stayput.montecarlo.counting import OVERTURNED, SLID
 from stayput.report.page import rendered, write_page
 from stayput.report.room.plan import change_plan, legend, room_plan
-from stayput.report.verdict import markdown, numbers
+from stayput.report.verdict import numbers, tables
 from stayput.report.verdict.assumptions import assumptions
 from stayput.report.verdict.html import shared_content
 from stayput.simulation.space_fate import FALLS_FROM, MAY_FALL_FROM
@@ -198,13 +198,13 @@ def room_markdown(verdict: Verdict, language: str = "en") -> str:
     """Return a verdict on a room as a text in Markdown, in "en" or "ja"."""
     first, *others = sentences(verdict, language)
     title = verdict.scenario.title or say("rooms.report", language)
-    lines = [f"# {markdown.plain(title)}", f"\n**{markdown.plain(first)}**"]
-    lines += [f"\n{markdown.plain(sentence)}" for sentence in others]
+    lines = [f"# {tables.plain(title)}", f"\n**{tables.plain(first)}**"]
+    lines += [f"\n{tables.plain(sentence)}" for sentence in others]
     for each in sections(verdict, verdict.others, language):
         lines += [f"\n## {each.title}", f"\n{each.about}"]
         if each.rows:
             rows = (tuple(cell.text(language) for cell in row) for row in each.rows)
-            lines += ["", *markdown.table(each.columns, rows)]
+            lines += ["", *tables.table(each.columns, rows)]
     lines += [f"\n{simulations_of_room(verdict, language)}", f"\nstayput {stayput.__version__}"]
     return "\n".join(lines) + "\n"
 

@@ -17,8 +17,7 @@ from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures import Measure, parameters
 from stayput.montecarlo.counting import OVERTURNED, Member
 from stayput.report.animation import film_of, player_page
-from stayput.report.figures import classes_between, embedded
-from stayput.report.fonts import drawable
+from stayput.report.figures import classes_between, drawable, embedded
 from stayput.report.history import peak_told, window_of
 from stayput.report.names import motion_label
 from stayput.report.page import framed, rendered, write_page
