@@ -13,7 +13,7 @@ from stayput.errors import InputWarning
 from stayput.fragility.curve import fragility_curve
 from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.fragility.trials import Trials
-from stayput.report import fonts
+from stayput.report import figures
 from stayput.report.animation import animate_run
 from stayput.report.fragility import plot_fragility
 from stayput.report.plot import plot_run
@@ -24,12 +24,12 @@ JAPANESE = "本棚とポール"
 @pytest.fixture
 def bare_machine(monkeypatch):
     """A machine with no fonts but Matplotlib's own."""
-    monkeypatch.setattr(fonts, "findSystemFonts", list)
-    monkeypatch.setattr(fonts, "_warned", set())
-    for kept in (fonts._system_fonts, fonts._other):
+    monkeypatch.setattr(figures, "findSystemFonts", list)
+    monkeypatch.setattr(figures, "_warned", set())
+    for kept in (figures._system_fonts, figures._other):
         kept.cache_clear()
     yield
-    for kept in (fonts._system_fonts, fonts._other):
+    for kept in (figures._system_fonts, figures._other):
         kept.cache_clear()
 
 
@@ -39,7 +39,7 @@ def curve(name):
 
 
 def test_what_the_own_font_has_is_drawn_with_it_alone():
-    assert fonts.drawable("Bookcase, 3°, μ = 0.4 é") == "Bookcase, 3°, μ = 0.4 é"
+    assert figures.drawable("Bookcase, 3°, μ = 0.4 é") == "Bookcase, 3°, μ = 0.4 é"
     figure = plot_fragility([curve("none")])
     families = {tuple(text.get_fontfamily()) for text in figure.findobj(mpl.text.Text)}
     assert families == {tuple(mpl.rcParams["font.family"])}
@@ -54,17 +54,17 @@ def test_japanese_is_drawn_where_a_font_has_it(tmp_path):
     texts = [text.get_text() for text in figure.findobj(mpl.text.Text)]
     assert any(text.startswith(JAPANESE) for text in texts)
     assert JAPANESE in run.get_suptitle()
-    told, face = fonts.with_face(f"{JAPANESE} 3°", 13)
+    told, face = figures.with_face(f"{JAPANESE} 3°", 13)
     assert told == f"{JAPANESE} 3°"
-    assert face.path != fonts.font(13).path
+    assert face.path != figures.font(13).path
 
 
 def test_a_machine_without_such_a_font_says_so_once(bare_machine, tmp_path):
     with pytest.warns(InputWarning, match="No font of this machine has the letters"):
-        assert fonts.drawable(f"a {JAPANESE} b") == "a … b"
+        assert figures.drawable(f"a {JAPANESE} b") == "a … b"
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert fonts.with_face(f"a {JAPANESE} b", 13)[0] == "a … b"
+        assert figures.with_face(f"a {JAPANESE} b", 13)[0] == "a … b"
         plot_fragility([curve("ポール")], tmp_path / "it.png")
         animate_run(report_runs.rocking().named([JAPANESE]), tmp_path / "it.gif", fps=2)
     assert (tmp_path / "it.png").stat().st_size > 10_000

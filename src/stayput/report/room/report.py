@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from stayput.verification.verdict import OptionVerdict, Verdict
 
 
-class Cell(NamedTuple):
+class TableCell(NamedTuple):
     """What stands in a cell of a table.
 
     Parameters
@@ -51,7 +51,7 @@ class Cell(NamedTuple):
         return with_aside(value, self.aside, language) if value and self.aside else value or self.aside
 
 
-Row = tuple["Cell | str", ...]
+Row = tuple["TableCell | str", ...]
 
 
 class Section(NamedTuple):
@@ -65,7 +65,7 @@ class Section(NamedTuple):
         Its heading, and what stands above the table.
     columns : tuple of str
         The headings of the columns.
-    rows : tuple of tuple of Cell
+    rows : tuple of tuple of TableCell
         The cells, row by row.
     """
 
@@ -73,7 +73,7 @@ class Section(NamedTuple):
     title: str
     about: str
     columns: tuple[str, ...]
-    rows: tuple[tuple[Cell, ...], ...]
+    rows: tuple[tuple[TableCell, ...], ...]
 
 
 def sentences(verdict: Verdict, language: str) -> tuple[str, ...]:
@@ -111,31 +111,33 @@ def sections(verdict: Verdict, options: Sequence[OptionVerdict], language: str) 
     def section(
         key: str, columns: Sequence[str], rows: Iterable[Row], none: str = "", **values: object
     ) -> Section:
-        cells = tuple(tuple(cell if isinstance(cell, Cell) else Cell(cell) for cell in row) for row in rows)
+        cells = tuple(
+            tuple(cell if isinstance(cell, TableCell) else TableCell(cell) for cell in row) for row in rows
+        )
         about = own(f"{key}_text", **values) if cells else own(none)
         return Section(key, own(key), about, tuple(map(heading, columns)), cells)
 
-    def both(low: str, most: str) -> Cell:
-        return Cell(low, numbers.word("most", language, value=most))
+    def both(low: str, most: str) -> TableCell:
+        return TableCell(low, numbers.word("most", language, value=most))
 
-    def here(chance: Probability, time: float) -> Cell:
+    def here(chance: Probability, time: float) -> TableCell:
         there = own("presence", share=numbers.share(time, language))
-        return Cell(numbers.probability(chance, language), there)
+        return TableCell(numbers.probability(chance, language), there)
 
-    def known(chance: Probability, at_rest: bool) -> Cell:
-        return Cell("", own("at_rest"), "low") if at_rest else Cell(chance)
+    def known(chance: Probability, at_rest: bool) -> TableCell:
+        return TableCell("", own("at_rest"), "low") if at_rest else TableCell(chance)
 
     places, hits, shut_in = list[Row](), list[Row](), list[Row]()
     for p in people.places:
         name = tell(room_words.place_name(p.place))
         times = here(p.by_day, p.place.day), here(p.by_night, p.place.night)
-        places.append((name, Cell(p.hit), *times))
+        places.append((name, TableCell(p.hit), *times))
         shut_in.append((name, known(p.shut_in, p.shut_in_at_rest)))
         for hit in p.by:
-            piece = Cell(tell(room_words.piece_name(hit.piece)), tell(hit_by(hit)))
+            piece = TableCell(tell(room_words.piece_name(hit.piece)), tell(hit_by(hit)))
             speed = both(numbers.speed(hit.speed.median), numbers.speed(hit.speed.p90))
             energy = both(numbers.energy(hit.energy.median), numbers.energy(hit.energy.p90))
-            hits.append((name, piece, Cell(hit.probability), speed, energy, numbers.mass(hit.mass)))
+            hits.append((name, piece, TableCell(hit.probability), speed, energy, numbers.mass(hit.mass)))
     doors = list[Row]()
     for door in people.doors:
         names = tell(room_words.door_name(door.door)), tell(f"rooms.{door.door.wall}")
@@ -143,7 +145,7 @@ def sections(verdict: Verdict, options: Sequence[OptionVerdict], language: str) 
         doors.append((*names, own(door.door.opens), leads_out, known(door.blocked, door.at_rest)))
     pieces = list[Row]()
     for each in room_words.pieces_in(verdict):
-        shares = Cell(each.probabilities[OVERTURNED]), Cell(each.probabilities[SLID])
+        shares = TableCell(each.probabilities[OVERTURNED]), TableCell(each.probabilities[SLID])
         slide = both(*numbers.slides(each.slide, room, language))
         harm = numbers.energy(each.harm) if people.places else numbers.NO_NUMBER
         pieces.append((tell(room_words.piece_name(each.name)), *shares, slide, harm))
@@ -179,11 +181,11 @@ def _change(option: OptionVerdict, verdict: Verdict, language: str) -> Row:
     clear = say("common.listed", language).join(say(tag, language) for tag in room_words.tags(option))
     change = partial(numbers.change, language=language)
     return (
-        Cell(verdict.label(option, language), clear, look),
-        Cell(people.hit.chance, change(people.hit.change)),
-        Cell(people.shut_in.chance, change(people.shut_in.change)),
-        "" if overturned is None else Cell(overturned[0], change(overturned[1])),
-        Cell(_risk(people)),
+        TableCell(verdict.label(option, language), clear, look),
+        TableCell(people.hit.chance, change(people.hit.change)),
+        TableCell(people.shut_in.chance, change(people.shut_in.change)),
+        "" if overturned is None else TableCell(overturned[0], change(overturned[1])),
+        TableCell(_risk(people)),
     )
 
 
