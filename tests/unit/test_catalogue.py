@@ -35,10 +35,10 @@ def test_both_languages_are_filled_in_from_the_same_values():
 def calls():
     """Return where each function is called by its name: the file, the name, and the call."""
     return [
-        (file, node.func.id, node)
+        (file, getattr(node.func, "id", None) or node.func.attr, node)
         for file in SOURCES
         for node in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name | ast.Attribute)
     ]
 
 

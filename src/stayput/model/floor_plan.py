@@ -14,18 +14,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from stayput import errors
 from stayput.catalogue import Phrase, phrase
-from stayput.errors import (
-    InputError,
-    instance_of,
-    list_of,
-    name_of,
-    numbers,
-    refuse_same_names,
-    too_many,
-    within,
-    word_of,
-)
 from stayput.model.parameters import check_fields, choice, parameter, quantity
 from stayput.model.room import WALLS, WALLS_AROUND
 from stayput.wording import name_quoted
@@ -130,8 +120,8 @@ class Door:
     name: str = "door"
 
     def __post_init__(self) -> None:
-        instance_of("way_out", self.way_out, bool)
-        name_of("name", self.name)
+        errors.instance_of("way_out", self.way_out, bool)
+        errors.name_of("name", self.name)
         check_fields(self)
 
 
@@ -225,13 +215,15 @@ class PersonPlace:
     blocks: bool = False
 
     def __post_init__(self) -> None:
-        name_of("name", self.name)
-        instance_of("blocks", self.blocks, bool)
+        errors.name_of("name", self.name)
+        errors.instance_of("blocks", self.blocks, bool)
         check_fields(self)
         if not self.low < self.high:
-            raise InputError("rooms.heights_in_order", "high", low=self.low, high=self.high)
-        at = numbers("rooms.at", self.at, "at", count=2)
-        x, y = (within("rooms.at", value, -ROOM_SIZE[1], ROOM_SIZE[1], "m", "at") for value in at.tolist())
+            raise errors.InputError("rooms.heights_in_order", "high", low=self.low, high=self.high)
+        at = errors.numbers("rooms.at", self.at, "at", count=2)
+        x, y = (
+            errors.within("rooms.at", value, -ROOM_SIZE[1], ROOM_SIZE[1], "m", "at") for value in at.tolist()
+        )
         object.__setattr__(self, "at", (x, y))
 
     @classmethod
@@ -239,7 +231,7 @@ class PersonPlace:
         cls, kind: str, at: tuple[float, float], heading: float = 0.0, name: str | None = None
     ) -> PersonPlace:
         """Make a place of one of the kinds of `PLACES`, called by its kind unless it has a name."""
-        preset = PLACES[word_of("rooms.kind", kind, PLACES, "kind")]
+        preset = PLACES[errors.word_of("rooms.kind", kind, PLACES, "kind")]
         return cls(name or kind, at, heading=heading, **preset._asdict())
 
     @property
@@ -297,22 +289,22 @@ class FloorPlan:
 
     def __post_init__(self) -> None:
         for name, kind in (("doors", Door), ("windows", Window), ("places", PersonPlace)):
-            object.__setattr__(self, name, list_of(name, getattr(self, name), kind))
+            object.__setattr__(self, name, errors.list_of(name, getattr(self, name), kind))
         check_fields(self)
         for kind, items in (("doors", self.doors), ("windows", self.windows), ("places", self.places)):
             if len(items) > MOST_PLACES:
-                raise too_many(kind, len(items), "common.items", MOST_PLACES, kind)
+                raise errors.too_many(kind, len(items), "common.items", MOST_PLACES, kind)
         for kind, items in (("doors", self.doors), ("windows", self.windows)):
             for number, item in enumerate(items):
                 end, most = item.start + item.width, self.side(item.wall)
                 if end > most + 1e-9:
-                    raise InputError("rooms.beyond_wall", f"{kind}[{number}]", end=end, most=most)
+                    raise errors.InputError("rooms.beyond_wall", f"{kind}[{number}]", end=end, most=most)
         for kind, items in (("doors", self.doors), ("places", self.places)):
-            refuse_same_names(kind, [item.name for item in items])
+            errors.refuse_same_names(kind, [item.name for item in items])
         for number, place in enumerate(self.places):
             low, high = place.corners.min(axis=0), place.corners.max(axis=0)
             if (low < -1e-6).any() or (high > np.array([self.width, self.length]) + 1e-6).any():
-                raise InputError(
+                raise errors.InputError(
                     "rooms.outside",
                     f"places[{number}].at",
                     name=name_quoted(place.name, PLACE_NAMES),

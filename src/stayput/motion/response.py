@@ -301,8 +301,6 @@ def spectrum_of_samples(
     InputError
         Periods or a damping out of range.
     """
-    from stayput.motion.response import RESPONSES, peak_responses  # Numba takes its time to load
-
     checked = checked_periods(periods)
     zeta = within("motion.name_damping", damping, 0.0, 0.95, field="damping")
     peaks = np.empty((len(checked), RESPONSES))

@@ -11,17 +11,8 @@ from typing import TYPE_CHECKING, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from stayput import errors
 from stayput.catalogue import phrase
-from stayput.errors import (
-    InputError,
-    instance_of,
-    list_of,
-    no_length,
-    not_allowed,
-    whole_within,
-    within,
-    word_of,
-)
 from stayput.measures.element import DeviceResult, device_results
 from stayput.measures.measure import Held, Measure, element_rows, hold
 from stayput.mechanics import columns as col
@@ -84,20 +75,20 @@ class Case(Brief):
         return plotted(ax, draw_section, hold(self.body, self.room, self.measures), check_language(language))
 
     def __post_init__(self) -> None:
-        instance_of("body", self.body, Body)
-        instance_of("room", self.room, Room)
+        errors.instance_of("body", self.body, Body)
+        errors.instance_of("room", self.room, Room)
         Motion.given(self.motion)
-        instance_of("initial", self.initial, State)
-        object.__setattr__(self, "measures", list_of("measures", self.measures, Measure))
+        errors.instance_of("initial", self.initial, State)
+        object.__setattr__(self, "measures", errors.list_of("measures", self.measures, Measure))
         law_number(self.contact)
         GRAVITY.check(self.gravity)
         if self.dimensions is not None:
-            whole_within("model.dimensions", self.dimensions, 2, 3, "", "dimensions")
+            errors.whole_within("model.dimensions", self.dimensions, 2, 3, "", "dimensions")
         if not self.in_space:
             if self.body.shape is not None:
                 object.__setattr__(self, "body", replace(self.body, shape=None))
             if self.dimensions is None and self.body.length is None and self.room.has_side_walls:
-                raise no_length()
+                raise errors.no_length()
             self.room.refuse_side_walls()
 
     @property
@@ -214,16 +205,16 @@ def simulate(
     """
     from stayput.mechanics.runner import shaking, trace
 
-    start, asked = State() if initial is None else initial, list_of("measures", measures, Measure)
+    start, asked = State() if initial is None else initial, errors.list_of("measures", measures, Measure)
     if step is not None:
-        step = within("simulation.step", step, 1e-6, 0.01, "s", "step")
+        step = errors.within("simulation.step", step, 1e-6, 0.01, "s", "step")
     if not isinstance(body, Body) or (body.shape is not None and dimensions != 2):
         from stayput.simulation.space import simulate_scene
 
         of_a_body = {"measures": bool(asked), "initial": start != State(), "contact": contact != "coulomb"}
         scene, motion = _in_scene(body, room, motion, **of_a_body, dimensions=dimensions not in (None, 3))
         return simulate_scene(scene, motion, gravity, step)
-    around, shaken = instance_of("room", room, Room), Motion.given(motion)
+    around, shaken = errors.instance_of("room", room, Room), Motion.given(motion)
     checked = Case(body, around, shaken, contact, start, gravity, asked, dimensions)
     body = checked.body
     refuse_bad_start(body, around, start)
@@ -231,10 +222,10 @@ def simulate(
         from stayput.simulation.space import simulate_scene
 
         if contact != "coulomb":
-            raise not_allowed("model.contact", repr(contact), "model.coulomb_in_space", "contact")
+            raise errors.not_allowed("model.contact", repr(contact), "model.coulomb_in_space", "contact")
         return simulate_scene(scene_of(body, around, asked), shaken, gravity, step, start)
     if most_events is not None:
-        most_events = whole_within("most_events", most_events, 2, 10**9, "", "most_events")
+        most_events = errors.whole_within("most_events", most_events, 2, 10**9, "", "most_events")
     held = hold(body, around, checked.measures)
     refuse_bad_start(held.body, held.room, start)
     columns, elements = case_columns(held.body, held.room, start, gravity), element_rows(held)
@@ -252,16 +243,17 @@ def _in_scene(
     from stayput.simulation.piece import Piece
     from stayput.simulation.scene import Scene
 
-    standing = instance_of("body", what, (Body, Piece, Scene))
+    standing = errors.instance_of("body", what, (Body, Piece, Scene))
     for name in asked:
         if asked[name]:
-            raise InputError("common.left_out", name, where=phrase("model.of_a_body"))
+            raise errors.InputError("common.left_out", name, where=phrase("model.of_a_body"))
     if not isinstance(standing, Scene):
         return Scene(
-            [Piece(standing) if isinstance(standing, Body) else standing], instance_of("room", room, Room)
+            [Piece(standing) if isinstance(standing, Body) else standing],
+            errors.instance_of("room", room, Room),
         ), Motion.given(motion)
     if motion is not None:
-        raise InputError("common.left_out", "room", where=phrase("model.room_of_a_scene"))
+        raise errors.InputError("common.left_out", "room", where=phrase("model.room_of_a_scene"))
     return standing, Motion.given(room)
 
 
@@ -275,7 +267,7 @@ def scene_of(body: Body, room: Room, measures: Sequence[Measure]) -> Scene:
 
 def law_number(contact: str) -> int:
     """Return the number of a contact law in the mechanics."""
-    return LAWS.index(word_of("model.contact", contact, LAWS, "contact"))
+    return LAWS.index(errors.word_of("model.contact", contact, LAWS, "contact"))
 
 
 def run_of(

@@ -14,17 +14,8 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, Unpack
 
+from stayput import errors
 from stayput.catalogue import phrase
-from stayput.errors import (
-    InputError,
-    InputWarning,
-    instance_of,
-    not_allowed,
-    warn,
-    warnings_to,
-    whole_within,
-    within,
-)
 from stayput.motion import seismogram
 from stayput.motion.channels import Channel, check_horizontal, is_vertical, labels_phrase, motion_fields
 from stayput.motion.floors import BOREHOLE, floor_phrase
@@ -174,7 +165,7 @@ def along(component: str | None, *, refuse: bool = True) -> Callable[[Sequence[C
 
     def named(channels: Sequence[Channel]) -> str | None:
         if component is not None and channels[0].role:
-            raise InputError("scenario.only_one", "component", other="columns")
+            raise errors.InputError("scenario.only_one", "component", other="columns")
         check_horizontal(channels, component, refuse=refuse)
         return component
 
@@ -189,7 +180,7 @@ def _vertical_of(channels: Sequence[Channel]) -> str:
         upright = [1]
     if len(upright) != 1:
         labels = labels_phrase([channel.label for channel in channels])
-        raise InputError("motion.not_one_vertical", "component", channels=labels)
+        raise errors.InputError("motion.not_one_vertical", "component", channels=labels)
     return f"channel {upright[0]}"
 
 
@@ -197,7 +188,7 @@ def _warn_of_name(path: str | os.PathLike[str], channels: Sequence[Channel]) -> 
     """Warn of a file whose name alone says that its one channel is vertical."""
     ending = re.search(r"(?<=[-_. ])[A-Za-z]{1,4}[0-9]{0,2}$|(?:UP|VER|DWN)$", Path(path).stem)
     if len(channels) == 1 and not channels[0].label and ending and is_vertical(ending[0]):
-        warn(InputWarning("motion.vertical_by_name", "component", ending=ending[0]))
+        errors.warn(errors.InputWarning("motion.vertical_by_name", "component", ending=ending[0]))
 
 
 class ReadFile(NamedTuple):
@@ -222,7 +213,7 @@ class ReadFile(NamedTuple):
     path: Path
     form: str
     channels: list[Channel]
-    warnings: list[InputWarning]
+    warnings: list[errors.InputWarning]
     synthetic: bool
     remove_mean: bool
 
@@ -232,9 +223,9 @@ class ReadFile(NamedTuple):
         form = phrase("motion.columns_of_numbers") if self.form == COLUMNS.name else self.form
         title = phrase("motion.file_and_form", file=self.path.name, form=form)
         try:
-            with warnings_to(lambda warning: self.warnings.append(warning.at(title))):
+            with errors.warnings_to(lambda warning: self.warnings.append(warning.at(title))):
                 yield
-        except InputError as error:
+        except errors.InputError as error:
             raise error.at(title) from None
 
 
@@ -251,15 +242,15 @@ def read_file(
     several: bool = False,
 ) -> ReadFile:
     """Read a file's channels; arguments and errors as for `read_shaking`."""
-    comma = instance_of("decimal_comma", decimal_comma, bool)
-    skipped = whole_within("skip_lines", skip_lines, 0, MOST_SKIPPED, field="skip_lines")
+    comma = errors.instance_of("decimal_comma", decimal_comma, bool)
+    skipped = errors.whole_within("skip_lines", skip_lines, 0, MOST_SKIPPED, field="skip_lines")
     chosen = chosen_columns(columns)
     if unit is not None:
         unit_factor(unit)
     if dt is not None:
-        within("motion.name_dt", dt, *STEP_RANGE, "s", "dt")
+        errors.within("motion.name_dt", dt, *STEP_RANGE, "s", "dt")
     if location is not None:
-        instance_of("location", location, str)
+        errors.instance_of("location", location, str)
     data = file_bytes(path)
     binary = seismogram.format_of(data)
     text = "" if binary is not None else text_of(path, data)
@@ -282,10 +273,12 @@ def read_file(
     try:
         with file.naming():
             for name in (name for name, value in unused.items() if value):
-                raise InputError("common.left_out", name, where=phrase("motion.not_of_format", format=form))
+                raise errors.InputError(
+                    "common.left_out", name, where=phrase("motion.not_of_format", format=form)
+                )
             check_end(text)
             file.channels.extend(_channels(read, unit, dt, several))
-    except InputError as error:
+    except errors.InputError as error:
         if other and error.field is None:
             raise _not_read(path, other) from None
         raise
@@ -301,24 +294,24 @@ def _channels(
     """Return the channels; of several files one that states another unit or time step keeps its own."""
     try:
         return read(unit, dt)
-    except InputError as error:
+    except errors.InputError as error:
         if not several or error.code != "motion.not_the_files_own":
             raise
         unit, dt = (None, dt) if error.field == "unit" else (unit, None)
         return _channels(read, unit, dt, several)
 
 
-def _not_read(path: str | os.PathLike[str], other: str | None) -> InputError:
+def _not_read(path: str | os.PathLike[str], other: str | None) -> errors.InputError:
     """Return the refusal of a file in a format that is known but not read, or in none that is known."""
     formats = ", ".join((*(reader.name for reader in READERS), *seismogram.FORMATS.values()))
     form = phrase("motion.a_format", format=other) if other else phrase("motion.no_known_format")
-    return InputError("motion.unknown_format", path=str(path), format=form, formats=formats)
+    return errors.InputError("motion.unknown_format", path=str(path), format=form, formats=formats)
 
 
 def _without_lines(text: str, count: int, name: str) -> str:
     lines = text.split("\n", count)
     if len(lines) <= count or not lines[-1].strip():
-        raise not_allowed("skip_lines", str(count), "motion.fewer_lines", "skip_lines").at(name)
+        raise errors.not_allowed("skip_lines", str(count), "motion.fewer_lines", "skip_lines").at(name)
     return lines[-1]
 
 
@@ -346,7 +339,7 @@ def motion_of(files: Sequence[ReadFile], choose: Callable[[Sequence[Channel]], s
         motion = Motion(**motion_fields(channels, component, first.form, name=first.path.stem))
         motion = checked_record(motion, remove_mean=first.remove_mean)
         if motion.floor not in ("", BOREHOLE):  # the choice of its channel has warned
-            warn(InputWarning("motion.upper_floor", floor=floor_phrase(motion.floor)))
+            errors.warn(errors.InputWarning("motion.upper_floor", floor=floor_phrase(motion.floor)))
     for warning in (warning for file in files for warning in file.warnings):
-        warn(warning)
+        errors.warn(warning)
     return replace(motion, synthetic=any(file.synthetic for file in files))

@@ -18,17 +18,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from stayput import errors
 from stayput.catalogue import phrase
-from stayput.errors import (
-    InputError,
-    excerpt,
-    instance_of,
-    not_allowed,
-    numbers,
-    whole_within,
-    within,
-    word_of,
-)
 from stayput.execution import Pool
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import of_the_ground
@@ -105,15 +96,15 @@ class TargetSpectrum:
         ) -> None: ...
 
     def __post_init__(self) -> None:
-        instance_of("of_the_ground", self.of_the_ground, bool)
+        errors.instance_of("of_the_ground", self.of_the_ground, bool)
         periods = checked_periods(self.periods)
         if len(periods) < 2:
             name, shape = phrase("common.shape_of", name="periods"), str(periods.shape)
-            raise not_allowed(name, shape, "motion.two_or_more", "periods")
-        sa = numbers("sa", self.sa, "sa", len(periods))
+            raise errors.not_allowed(name, shape, "motion.two_or_more", "periods")
+        sa = errors.numbers("sa", self.sa, "sa", len(periods))
         for value in sa:
-            within("sa", value, 1e-6, LARGEST_ACCELERATION, "m/s²", "sa")
-        within("damping", self.damping, 0.0, 0.95, field="damping")
+            errors.within("sa", value, 1e-6, LARGEST_ACCELERATION, "m/s²", "sa")
+        errors.within("damping", self.damping, 0.0, 0.95, field="damping")
         for array in (periods, sa):
             array.setflags(write=False)
         object.__setattr__(self, "periods", periods)
@@ -136,7 +127,7 @@ class TargetSpectrum:
         outside = asked[(asked < low * (1.0 - 1e-9)) | (asked > high * (1.0 + 1e-9))]
         if outside.size:
             name = phrase("motion.name_target_period", target=self.name)
-            within(name, float(outside.flat[0]), low, high, "s", "periods")
+            errors.within(name, float(outside.flat[0]), low, high, "s", "periods")
         return np.exp(np.interp(np.log(asked), np.log(self.periods), np.log(self.sa)))
 
     def refuse_floors(self, motions: Iterable[Motion]) -> None:
@@ -154,9 +145,9 @@ def band_periods(band: tuple[float, float]) -> NDArray[np.float64]:
     InputError
         A band out of range, or shorter than a tenth of its start.
     """
-    ends = numbers("band", band, "band", count=2)
-    low = within("motion.name_band_shortest", ends[0], *PERIOD_RANGE, "s", "band")
-    high = within("motion.name_band_longest", ends[1], 1.1 * low, PERIOD_RANGE[1], "s", "band")
+    ends = errors.numbers("band", band, "band", count=2)
+    low = errors.within("motion.name_band_shortest", ends[0], *PERIOD_RANGE, "s", "band")
+    high = errors.within("motion.name_band_longest", ends[1], 1.1 * low, PERIOD_RANGE[1], "s", "band")
     return np.geomspace(low, high, max(2, 1 + round(PER_DECADE * np.log10(high / low))))
 
 
@@ -187,8 +178,8 @@ def japanese_design(level: str = "very rare", soil: int = 2) -> TargetSpectrum:
     rare [1.86 2.4  1.04]
     very rare [ 9.3 12.   5.2]
     """
-    word_of("level", level, LEVELS, "level")
-    soil = whole_within("soil", soil, 1, max(SITE_GV), field="soil")
+    errors.word_of("level", level, LEVELS, "level")
+    soil = errors.whole_within("soil", soil, 1, max(SITE_GV), field="soil")
     corners = [0.16, 0.64] + ([0.576] if soil == 1 else [0.64 * SITE_GV[soil] / 1.5])
     t = _table_periods(corners)
     bedrock = np.where(t < 0.16, 3.2 + 30.0 * t, np.where(t < 0.64, 8.0, 5.12 / t))
@@ -225,10 +216,10 @@ def asce7(sds: float, sd1: float, tl: float = 8.0) -> TargetSpectrum:
     >>> (target([0.2, 1.0, 4.0]) / 9.80665).round(2).tolist()  # g
     [1.0, 0.6, 0.15]
     """
-    short = within("SDS", sds, 0.001, 10.0, "g", "sds")
-    long = within("SD1", sd1, 0.001, 10.0, "g", "sd1")
-    late = within("TL", tl, 0.1, 100.0, "s", "tl")
-    ts = within("TS = SD1/SDS", long / short, 0.01, late, "s", "sd1")
+    short = errors.within("SDS", sds, 0.001, 10.0, "g", "sds")
+    long = errors.within("SD1", sd1, 0.001, 10.0, "g", "sd1")
+    late = errors.within("TL", tl, 0.1, 100.0, "s", "tl")
+    ts = errors.within("TS = SD1/SDS", long / short, 0.01, late, "s", "sd1")
     t0 = 0.2 * ts
     t = _table_periods([t0, ts, late])
     rise = short * (0.4 + 0.6 * t / t0)
@@ -276,7 +267,7 @@ def read_target(path: str | os.PathLike[str], unit: str = "g") -> TargetSpectrum
     try:
         table = rows_of(text, 0, 2, values_of)
         return TargetSpectrum(table[:, 0], factor * table[:, 1], name)
-    except InputError as error:
+    except errors.InputError as error:
         raise error.at(name) from None
 
 
@@ -378,7 +369,9 @@ def matched(
     for motion in motions:
         for name, a in motion.components.items():
             if not np.any(a):
-                raise InputError("motion.still_component", component=name, motion=excerpt(motion.name))
+                raise errors.InputError(
+                    "motion.still_component", component=name, motion=errors.excerpt(motion.name)
+                )
     which = "one filter for the whole suite" if together else "a filter of its own"
     note = (
         f"Fourier amplitudes changed to {target.name}, {band[0]:g}-{band[1]:g} s, {which}; baseline at rest"

@@ -18,7 +18,7 @@ from stayput.verification.events import CELL, PASSAGE
 from stayput.verification.options import building_tag, floor_tag, furniture_tag
 
 if TYPE_CHECKING:
-    from stayput.model.room import Ceiling, Room, Wall
+    from stayput.model.room import Ceiling, Wall
     from stayput.scenario import Scenario
     from stayput.scenario.measures import UncertaintyTable
     from stayput.verification import Verdict
@@ -48,47 +48,36 @@ def told(assumptions: Iterable[Assumption], language: str) -> list[tuple[str, st
     return [(say(item.what, language), say(item.value, language), item.confidence) for item in assumptions]
 
 
+LIMITS = (
+    "room_report.limit_persons",
+    "room_report.limit_passage",
+    "report.limit_contacts",
+    "report.limit_devices",
+)
+"""What the model leaves out: the first two of people."""
+
+
 def assumptions(verdict: Verdict) -> list[Assumption]:
-    """Return the assumptions of a verdict, apart from the parameters of the measures."""
+    """Return the assumptions of a verdict, apart from the parameters of the measures; limits come last."""
     scenario = verdict.scenario
-    if scenario.plan is not None:
-        return _of_a_room(verdict)
-    stands = [_furniture(scenario)] if scenario.alone else [*_pieces(scenario)]
-    in_space = scenario.dimensions == 3
-    between: list[Assumption] = []
-    if not scenario.alone:
-        between = [*_drawn_between(scenario), *settlement_assumptions(scenario), *_rolling(scenario)]
+    in_room = scenario.plan is not None
     measures = [measure for result in verdict.options for measure in result.option.measures]
+    several = () if scenario.alone else (_drawn_between, settlement_assumptions, _rolling)
     return [
-        *stands,
-        *_room(scenario, scenario.room.room(), measures),
+        *([_furniture(scenario)] if scenario.alone else _pieces(scenario)),
+        *_room(scenario, measures, gaps=not in_room),
         *_contents(scenario),
         *_shaking(scenario, verdict.motions),
-        *([Assumption(phrase("room_report.direction"), *_direction(scenario.points))] if in_space else ()),
+        *([_direction(scenario.points)] if scenario.dimensions == 3 else ()),
         *_draws(scenario.uncertainty),
-        *between,
-        _limit("several.limit_body" if in_space else "report.limit_body"),
+        *(each for of_several in several for each in of_several(scenario)),
+        _limit("several.limit_body" if scenario.dimensions == 3 else "report.limit_body"),
+        *(
+            _limit(f"room_report.limit_{key}", passage=PASSAGE, cell=100.0 * CELL)
+            for key in ("persons", "passage")
+            if in_room
+        ),
         *(_limit(f"report.limit_{key}") for key in ("contacts", "devices")),
-    ]
-
-
-def _of_a_room(verdict: Verdict) -> list[Assumption]:
-    """Return the assumptions of a verdict on a room, those of its model first."""
-    scenario = verdict.scenario
-    values = {"passage": PASSAGE, "cell": 100.0 * CELL}
-    measures = [measure for result in verdict.options for measure in result.option.measures]
-    return [
-        _limit("several.limit_body"),
-        *(_limit(f"room_report.limit_{key}", **values) for key in ("persons", "passage")),
-        *(_limit(f"report.limit_{key}") for key in ("contacts", "devices")),
-        *settlement_assumptions(scenario),
-        *_rolling(scenario),
-        Assumption(phrase("room_report.direction"), *_direction(scenario.points)),
-        *_pieces(scenario),
-        *_room(scenario, scenario.surroundings(), measures, gaps=False),
-        *_shaking(scenario, verdict.motions),
-        *_draws(scenario.uncertainty),
-        *_drawn_between(scenario),
     ]
 
 
@@ -139,11 +128,10 @@ def _furniture(scenario: Scenario) -> Assumption:
     return Assumption(_text("piece"), value, furniture_tag(table))
 
 
-def _room(
-    scenario: Scenario, room: Room, measures: Sequence[Measure], *, gaps: bool = True
-) -> Iterator[Assumption]:
+def _room(scenario: Scenario, measures: Sequence[Measure], *, gaps: bool) -> Iterator[Assumption]:
     """Yield the floor, the gaps to the walls, the ceiling, and what measures on these meet there."""
-    table, floor = scenario.room.floor, room.floor
+    room, table = scenario.surroundings(), scenario.room.floor
+    floor = room.floor
     name = table if isinstance(table, str) else table.surface
     surface = "" if name is None else _text("surface", name=_in_both(name))
     value = _text("frictions", surface=surface, static=floor.static_friction, kinetic=floor.kinetic_friction)
@@ -250,7 +238,8 @@ def _rolling(scenario: Scenario) -> Iterator[Assumption]:
         yield _limit("several.rolling")
 
 
-def _direction(radians: float | None) -> tuple[Phrase, str]:
+def _direction(radians: float | None) -> Assumption:
+    what = phrase("room_report.direction")
     if radians is None:
-        return phrase("room_report.direction_drawn"), MODEL
-    return phrase("room_report.direction_given", degrees=math.degrees(radians)), GIVEN
+        return Assumption(what, phrase("room_report.direction_drawn"), MODEL)
+    return Assumption(what, phrase("room_report.direction_given", degrees=math.degrees(radians)), GIVEN)

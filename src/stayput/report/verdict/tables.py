@@ -15,7 +15,7 @@ from stayput.measures.measure import MEANINGS
 from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED, Quantiles
 from stayput.report.names import place_named
 from stayput.report.summary import number
-from stayput.report.verdict import numbers, tables
+from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import assumptions, told
 from stayput.report.verdict.numbers import NO_NUMBER, word, word_of
 from stayput.simulation.placing import JOINT, JOINT_LABEL
@@ -47,47 +47,47 @@ def verdict_markdown(verdict: Verdict, language: str = "en") -> str:
 def _lines(verdict: Verdict, language: str) -> Iterator[str]:
     """Yield the text in pieces of one or more lines."""
     text, text_of = partial(word, language=language), partial(word_of, verdict, language=language)
-    alone, rows = verdict.scenario.alone, tables.ranking(verdict, language)
+    alone, rows = verdict.scenario.alone, ranking(verdict, language)
     yield f"# {plain(verdict.scenario.title or text_of('report'))}"
     yield f"\n**{plain(verdict.sentence(language))}**\n"
     if not alone:
         yield f"{text_of('about')}\n"
     yield from (f"{plain(note)}\n" for note in verdict.notes(language))
-    yield tables.simulations(verdict, language)
+    yield simulations(verdict, language)
     if verdict.motions == 1:
         yield f"\n{text('one_motion')}"
     if not verdict.precise:
         yield f"\n{text('not_precise')}"
 
-    columns = [text("rank"), text_of("measure"), *tables.event_headings(verdict, language)]
+    columns = [text("rank"), text_of("measure"), *event_headings(verdict, language)]
     if alone:
         contents = () if verdict.without.contents is None else (text("contents_out"),)
-        capacities = (text("capacity", share=f"{100.0 * share:g}") for share in tables.SHARES)
+        capacities = (text("capacity", share=f"{100.0 * share:g}") for share in SHARES)
         columns += [*contents, text("slide_both"), *capacities, text("grade"), text("why")]
     else:
         columns += [text_of("each"), text("slide_both"), text("why")]
     blank = (NO_NUMBER,) * (len(columns) - 4)
     impossible = [
         (NO_NUMBER, label, text("not_possible"), *blank, reason)
-        for label, reason in tables.impossible_rows(verdict, language)
+        for label, reason in impossible_rows(verdict, language)
     ]
     ranked = [_cells(row, alone, language) for row in rows]
     yield from _section(text("ranking"), *table(columns, [*ranked, *impossible]))
     if alone:
-        yield f"\n{plain(tables.grades_text(language))}"
+        yield f"\n{plain(grades_text(language))}"
 
     devices = [
         (title(row.option.option, verdict, language), *each)
         for row in rows
-        for each in tables.device_rows(row.option, language)
+        for each in device_rows(row.option, language)
     ]
     if devices:
         holds, heading = ((), text("devices")) if alone else ((text_of("holds"),), text_of("details"))
-        columns = (text_of("measure"), *holds, *map(text, tables.DEVICE_COLUMNS))
+        columns = (text_of("measure"), *holds, *map(text, DEVICE_COLUMNS))
         yield from _section(heading, *table(columns, devices))
     if verdict.estimates is not None:
         columns = (text("formula"), text("says"), text("beside"))
-        formulas = table(columns, tables.estimate_rows(verdict, language))
+        formulas = table(columns, estimate_rows(verdict, language))
         yield from _section(text("estimates"), f"{text('estimates_text')}\n", *formulas)
     columns = (text("assumption"), text("value"), text("confidence"))
     rests_on = (
@@ -103,7 +103,7 @@ def _section(heading: str, *lines: str) -> tuple[str, ...]:
     return f"\n## {heading}\n", *lines
 
 
-def _cells(row: tables.RankingRow, alone: bool, language: str) -> tuple[str, ...]:
+def _cells(row: RankingRow, alone: bool, language: str) -> tuple[str, ...]:
     """Return a row of the ranking as its cells."""
     listed, label = word("listed", language), row.label
     if alone and row.name:
