@@ -11,17 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from stayput.catalogue import phrase, say
-from stayput.cli.flags import (
-    SCENE,
-    SHAKING,
-    FlagValues,
-    LanguageOption,
-    ThreadsOption,
-    chosen_measures,
-    opened,
-    takes,
-    words,
-)
+from stayput.cli import flags as flag
 from stayput.cli.messages import compiling, note, plain_table, print_json, tell_written, terminal
 from stayput.cli.streams import called, check_output, is_stream, to_output, write_text
 from stayput.errors import InputError, within
@@ -35,18 +25,20 @@ if TYPE_CHECKING:
     from stayput.verification import Verdict
 
 
-@takes({**SCENE, **SHAKING})
+@flag.takes({**flag.SCENE, **flag.SHAKING})
 def simulate(
     scenario: Annotated[
         Path | None,
         typer.Argument(metavar="[SCENARIO.toml]", help="cli_help.example_scenario", show_default=False),
     ] = None,
     *,
-    said: FlagValues,
+    said: flag.FlagValues,
     measure: Annotated[
         list[str] | None,
         typer.Option(
-            metavar="TYPE|NAME", help="cli_help.measure_in_place", autocompletion=words("measures:MEASURES")
+            metavar="TYPE|NAME",
+            help="cli_help.measure_in_place",
+            autocompletion=flag.words("measures:MEASURES"),
         ),
     ] = None,
     json: Annotated[bool, typer.Option("--json", help="cli_help.json")] = False,
@@ -54,7 +46,7 @@ def simulate(
     animate: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.animate")] = None,
     speed: Annotated[float, typer.Option(help="cli_help.speed")] = 1.0,
     fps: Annotated[float, typer.Option(help="cli_help.fps")] = 20.0,
-    lang: LanguageOption = "",
+    lang: flag.LanguageOption = "",
 ) -> None:
     """Run ``stayput simulate``."""
     from stayput.report.animation import animate_run
@@ -64,9 +56,9 @@ def simulate(
     check_output(plot, PLOT_SUFFIXES, stream=False)
     if animate is not None:
         check_animation(animate)
-    checked = opened(scenario, said, (plot, animate), of_one={"--measure": measure})
+    checked = flag.opened(scenario, said, (plot, animate), of_one={"--measure": measure})
     with compiling():
-        run = checked.run(chosen_measures(checked, measure or []))
+        run = checked.run(flag.chosen_measures(checked, measure or []))
     sentence = say(sentences(run), lang)
     if plot is not None:
         plot_run(run, plot, title=sentence, language=lang)
@@ -105,15 +97,15 @@ def _progress() -> Generator[Progress | None]:
         yield drawn
 
 
-@takes(SHAKING)
+@flag.takes(flag.SHAKING)
 def verify(
     scenario: Annotated[Path, typer.Argument(metavar="SCENARIO.toml", help="cli_help.scenario")],
     *,
-    said: FlagValues,
+    said: flag.FlagValues,
     measure: Annotated[
         list[str] | None,
         typer.Option(
-            metavar="TYPE|NAME", help="cli_help.only_measure", autocompletion=words("measures:MEASURES")
+            metavar="TYPE|NAME", help="cli_help.only_measure", autocompletion=flag.words("measures:MEASURES")
         ),
     ] = None,
     report: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.report")] = None,
@@ -126,7 +118,7 @@ def verify(
         typer.Option(
             metavar="JMA|MMI|PGA|PGV|SA(T)|PFA|PFV",
             help="cli_help.im",
-            autocompletion=words("fragility.intensity_measures:INTENSITY_MEASURES"),
+            autocompletion=flag.words("fragility.intensity_measures:INTENSITY_MEASURES"),
         ),
     ] = None,
     plan: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.plan")] = None,
@@ -138,8 +130,8 @@ def verify(
     ] = False,
     slide_limit: Annotated[float | None, typer.Option(help="cli_help.slide_limit")] = None,
     every_run: Annotated[bool, typer.Option("--every-run", help="cli_help.every_run")] = False,
-    threads: ThreadsOption = None,
-    lang: LanguageOption = "",
+    threads: flag.ThreadsOption = None,
+    lang: flag.LanguageOption = "",
 ) -> None:
     """Run ``stayput verify``."""
     from stayput.cli.verdicts import print_verdict
@@ -160,7 +152,7 @@ def verify(
         raise InputError("scenario.needs_both", "--plan", name=flags, other="--plan")
     over = _over(curves, im)
     of_one = {"--measure": measure}
-    checked = opened(scenario, said, (report, markdown, csv, plan), of_one=of_one)
+    checked = flag.opened(scenario, said, (report, markdown, csv, plan), of_one=of_one)
     if plan is not None and checked.plan is None:
         where = phrase("rooms.against_without_plan")
         raise InputError("common.left_out", "--plan", where=where).at(called(scenario))
@@ -217,7 +209,7 @@ def _only(scenario: Scenario, names: list[str]) -> Scenario:
     InputError
         A name that is neither.
     """
-    chosen_measures(scenario, names)  # refuses unknown names
+    flag.chosen_measures(scenario, names)  # refuses unknown names
     tables = scenario.model_dump(by_alias=True, exclude_unset=True)
     stated_names = (measure_set.name for measure_set in scenario.options)
     stated = dict(zip(stated_names, tables.get("measures") or (), strict=True))

@@ -10,6 +10,7 @@ from functools import partial
 
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, unknown
+from stayput.inventory import columns as column
 from stayput.inventory.cells import (
     Cell,
     CellReader,
@@ -23,22 +24,6 @@ from stayput.inventory.cells import (
     shown,
     storey_called,
     storey_meant,
-)
-from stayput.inventory.columns import (
-    ALONG_THE_WALL,
-    COLUMNS,
-    IGNORE,
-    LISTS,
-    LOOKS_LIKE_COUNT,
-    LOOKS_LIKE_SIZE,
-    TOTALS,
-    UNITS,
-    WIDTHS,
-    ColumnMapping,
-    NumberUnit,
-    header_name,
-    is_heading,
-    plain_name,
 )
 from stayput.vocabulary import WORDS, meant
 
@@ -94,29 +79,33 @@ class Header:
         self,
         cells: Sequence[Cell],
         sample: Sequence[Sequence[Cell]] = (),
-        mapping: ColumnMapping | None = None,
+        mapping: column.ColumnMapping | None = None,
         decimal_comma: bool = False,
     ) -> None:
         self.names = names = [cell.strip() if isinstance(cell, str) else "" for cell in cells]
-        self.sample, self.mapping, self.decimal_comma = sample, mapping or ColumnMapping(), decimal_comma
+        self.sample, self.mapping, self.decimal_comma = (
+            sample,
+            mapping or column.ColumnMapping(),
+            decimal_comma,
+        )
         _refuse_headings_elsewhere(names, sample)
-        self.parts = [header_name(name) for name in names]
+        self.parts = [column.header_name(name) for name in names]
         mapped, self.ignored = self.mapping.places(names)
         self.places = {name: place for name, (place, _) in mapped.items()}
-        self.units: dict[str, NumberUnit | None] = {name: unit for name, (_, unit) in mapped.items()}
+        self.units: dict[str, column.NumberUnit | None] = {name: unit for name, (_, unit) in mapped.items()}
         self.mapped = frozenset(self.places.values())
         self.in_own_units: set[str] = set()
         self.doubts: list[tuple[Phrase, str]] = []  # each with the part of --columns that would settle it
         self.unused: list[str] = [names[place][:200] for place in sorted(self.ignored)]
         taken = {*self.mapped, *self.ignored}
         self.free = [place for place, name in enumerate(names) if name and place not in taken]
-        for name, times in Counter(map(plain_name, names)).items():
+        for name, times in Counter(map(column.plain_name, names)).items():
             if name and times > 1:
                 raise InputError("common.twice", name, name=shown(name))
         self._take_known()
         self._take_rest()
         self._refuse_what_is_unclear()
-        self.places = {name: self.places[name] for name in COLUMNS if name in self.places}
+        self.places = {name: self.places[name] for name in column.COLUMNS if name in self.places}
         self.called = {n: names[place] for n, place in self.places.items() if names[place].lower() != n}
         self.readers = {name: self._readers(name) for name in self.places}
         self.renamed: list[str] = []
@@ -132,8 +121,8 @@ class Header:
         It tells a piece that is narrower than deep. One without a unit has the depth's.
         """
         for place, part in enumerate(self.parts):
-            if place not in self.places.values() and part.base in WIDTHS:
-                unit = UNITS["m"].get(part.unit) or self.units.get("width")
+            if place not in self.places.values() and part.base in column.WIDTHS:
+                unit = column.UNITS["m"].get(part.unit) or self.units.get("width")
                 with suppress(InputError):  # the column is not used otherwise: a row is not refused for it
                     return number_of("width", row[place], "m", unit, self.decimal_comma)
                 return None
@@ -163,7 +152,7 @@ class Header:
     def _doubt(self, key: str, place: int, settled: str | None = None, **values: object) -> None:
         """Note what is unclear about a column, and what settles it: by default that it is ignored."""
         about = phrase(f"inventory_tables.doubt_{key}", header=shown(self.names[place]), **values)
-        self.doubts.append((about, settled or f"{IGNORE}={self.names[place]}"))
+        self.doubts.append((about, settled or f"{column.IGNORE}={self.names[place]}"))
 
     def _column(self, place: int) -> list[Cell]:
         """Return the cells of a column in the sample."""
@@ -173,12 +162,12 @@ class Header:
         """Take columns by stayput's names, then by usual ones."""
         for place in list(self.free):
             name = self.names[place].lower()
-            if name in COLUMNS and name not in self.places:
+            if name in column.COLUMNS and name not in self.places:
                 self.places[name], self.units[name] = place, None
                 self.free.remove(place)
         for place in list(self.free):
             part, name = self.parts[place], self.parts[place].column
-            if part.base in ALONG_THE_WALL or name is None:
+            if part.base in column.ALONG_THE_WALL or name is None:
                 continue
             self.free.remove(place)
             if name in self.places:
@@ -191,9 +180,9 @@ class Header:
     def _second(self, name: str, place: int) -> None:
         """Take in another column of a name that is taken: a total beside a price is left out."""
         first = self.places[name]
-        total, first_total = (self.parts[each].base in TOTALS for each in (place, first))
+        total, first_total = (self.parts[each].base in column.TOTALS for each in (place, first))
         if name == "width" and self.names[first].lower() == name and self.units[name] is None:
-            settled = f"{self._proposed('width', place)},{IGNORE}={self.names[first]}"
+            settled = f"{self._proposed('width', place)},{column.IGNORE}={self.names[first]}"
             self._doubt("width", place, settled, width=shown(self.names[first]))
         elif name == "value" and first_total:
             self.unused.append(self.names[first][:200])
@@ -204,8 +193,8 @@ class Header:
             self._doubt("twice", place, first=shown(self.names[first]), name=name)
 
     def _take(self, name: str, place: int) -> None:
-        kind, written = COLUMNS[name].unit, self.parts[place].unit
-        self.places[name], self.units[name] = place, UNITS.get(kind, {}).get(written)
+        kind, written = column.COLUMNS[name].unit, self.parts[place].unit
+        self.places[name], self.units[name] = place, column.UNITS.get(kind, {}).get(written)
         if self.units[name] is not None or not (written or kind in ("m", "kg")):
             return
         cells = self._column(place)
@@ -220,15 +209,17 @@ class Header:
         sized = {"width", "height"} <= self.places.keys()
         for place in self.free:
             base, unit, header = self.parts[place].base, self.parts[place].unit, self.names[place]
-            across = base in ALONG_THE_WALL
+            across = base in column.ALONG_THE_WALL
             if across and "width" not in self.places:
-                self._doubt("no_depth", place, f"width=?,{IGNORE}={header}")
-            elif not across and LOOKS_LIKE_COUNT.fullmatch(base) and "count" not in self.places:
+                self._doubt("no_depth", place, f"width=?,{column.IGNORE}={header}")
+            elif not across and column.LOOKS_LIKE_COUNT.fullmatch(base) and "count" not in self.places:
                 self._doubt("count", place, f"count={header}")
-            elif not (across or sized) and (LOOKS_LIKE_SIZE.fullmatch(base) or unit in UNITS["m"]):
+            elif not (across or sized) and (
+                column.LOOKS_LIKE_SIZE.fullmatch(base) or unit in column.UNITS["m"]
+            ):
                 self._doubt("size", place, f"?={header}")
-            elif not across and get_close_matches(base.replace(" ", "_"), COLUMNS, 1, LIKENESS):
-                raise unknown("inventory_tables.column_name", header, COLUMNS, header)
+            elif not across and get_close_matches(base.replace(" ", "_"), column.COLUMNS, 1, LIKENESS):
+                raise unknown("inventory_tables.column_name", header, column.COLUMNS, header)
             else:
                 self.unused.append(header[:200])
 
@@ -241,14 +232,14 @@ class Header:
                 self._doubt("floor", floor, f"storey={self.names[floor]}")
         if value is None or value in self.mapped or "count" not in self.places:
             return
-        if self.parts[value].base in TOTALS:
+        if self.parts[value].base in column.TOTALS:
             self._doubt("total", value)
 
     def _proposal(self, others: Sequence[str] = ()) -> str:
         """Return the mapping to give: what is given already, but for what is doubted, and what settles it."""
         settled = ",".join(dict.fromkeys((*(part for _, part in self.doubts), *others)))
         kept = [f"{name}={header}" for name, header in self.mapping.pairs if f",{name}=" not in f",{settled}"]
-        ignored = [f"{IGNORE}={header}" for header in self.mapping.ignored]
+        ignored = [f"{column.IGNORE}={header}" for header in self.mapping.ignored]
         return ",".join([*kept, *ignored, settled])
 
     def _refuse_what_is_unclear(self) -> None:
@@ -259,7 +250,7 @@ class Header:
                 raise InputError("inventory.first_row", "inventory", reason=phrase("inventory.is_empty"))
             if not_known := self.unused[len(self.ignored) :][:UNKNOWN_SHOWN]:
                 proposal = self._proposal([f"?={name}" for name in not_known])
-                columns = ", ".join(COLUMNS)
+                columns = ", ".join(column.COLUMNS)
                 raise InputError(
                     "inventory_tables.no_known_column", "columns", proposal=proposal, columns=columns
                 )
@@ -282,35 +273,35 @@ class Header:
         """Return what makes the column's own text or number of its cells, one after another."""
         if name == "storey":
             return [storey_meant]
-        kind, unit = COLUMNS[name].unit, self.units[name]
+        kind, unit = column.COLUMNS[name].unit, self.units[name]
         readers: list[CellReader] = []
         if name in self.in_own_units:
             readers.append(partial(refuse_without_unit, name))
         if name in WORDS:
             readers.append(partial(meant, name))
-        numeric = bool(kind) or name in (*LISTS, "count")
+        numeric = bool(kind) or name in (*column.LISTS, "count")
         if unit is not None or kind == "currency" or (self.decimal_comma and numeric):
             about = {"unit": kind, "stated": unit, "decimal_comma": self.decimal_comma}
-            readers.append(partial(numbers_read if name in LISTS else number_of, name, **about))
+            readers.append(partial(numbers_read if name in column.LISTS else number_of, name, **about))
         return readers
 
     def _proposed(self, name: str, place: int) -> str:
         """Return the part of a mapping that is likely meant, with "?" for a unit that is not written."""
-        kind = COLUMNS[name].unit
-        known = kind not in ("m", "kg") or self.parts[place].unit in UNITS[kind]
+        kind = column.COLUMNS[name].unit
+        known = kind not in ("m", "kg") or self.parts[place].unit in column.UNITS[kind]
         return f"{name}={self.names[place]}" if known else f"{name}={self.names[place]}[?]"
 
 
 def _headings_in(row: Sequence[Cell]) -> list[str]:
     """Return the headings in a row, of which there are two at least, and half of what it holds; else none."""
     filled = [cell for cell in row if not is_empty(cell)]
-    headings = [cell for cell in filled if isinstance(cell, str) and is_heading(cell)]
+    headings = [cell for cell in filled if isinstance(cell, str) and column.is_heading(cell)]
     return headings if len(headings) > 1 and 2 * len(headings) >= len(filled) else []
 
 
 def _refuse_headings_elsewhere(names: Sequence[str], sample: Sequence[Sequence[Cell]]) -> None:
     """Refuse headings that stand below a title, or go over two rows."""
-    known, below_a_title = sum(map(is_heading, names)), not _headings_in(names)
+    known, below_a_title = sum(map(column.is_heading, names)), not _headings_in(names)
     for row, cells in enumerate(sample[: ROWS_OF_A_TITLE if below_a_title else 1], 2):
         headings = _headings_in(cells)
         if len(headings) > (known if below_a_title else 0):

@@ -18,26 +18,13 @@ from stayput.model.body import FURNITURE, Part
 from stayput.model.parameters import parameter_of
 from stayput.model.room import SURFACES, WALLS, WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.model.state import State
-from stayput.scenario.fields import (
-    NAME,
-    TABLE,
-    Table,
-    ValueTable,
-    between,
-    checked,
-    each,
-    fields_of,
-    kind_of,
-    named,
-    of,
-    one_of,
-)
+from stayput.scenario import fields as field
 
-Surface = Annotated[str, one_of(SURFACES, "floor"), named(SURFACES)]
-WallConstruction = Annotated[str, one_of(WALLS), named(WALLS)]
-Loads = Annotated[list[Annotated[float, each(Part, "mass")]], Field(min_length=1, max_length=100)]
-Kind = Annotated[str, one_of(FURNITURE, "preset"), named(FURNITURE)]
-Heading = Annotated[float, between(-2.0 * math.pi, 2.0 * math.pi, "rad")]
+Surface = Annotated[str, field.one_of(SURFACES, "floor"), field.named(SURFACES)]
+WallConstruction = Annotated[str, field.one_of(WALLS), field.named(WALLS)]
+Loads = Annotated[list[Annotated[float, field.each(Part, "mass")]], Field(min_length=1, max_length=100)]
+Kind = Annotated[str, field.one_of(FURNITURE, "preset"), field.named(FURNITURE)]
+Heading = Annotated[float, field.between(-2.0 * math.pi, 2.0 * math.pi, "rad")]
 
 
 def usual_of(preset: str | None, *, loaded: bool = True) -> dict[str, Any]:
@@ -48,7 +35,7 @@ def usual_of(preset: str | None, *, loaded: bool = True) -> dict[str, Any]:
     return usual if loaded else usual | {"mass": carcass}
 
 
-@fields_of(
+@field.fields_of(
     Contents,
     mass_share="Without loads: mass of the contents, of the furniture's.",
     width="Depth of an item.",
@@ -58,10 +45,10 @@ def usual_of(preset: str | None, *, loaded: bool = True) -> dict[str, Any]:
     setback="Distance from the front edge of the shelf to the items.",
     catch="Force at which a catch lets go; default: by kind.",
 )
-class ContentsTable(ValueTable):
+class ContentsTable(field.ValueTable):
     """What is in the furniture, and what keeps it there: a kind, any number of which may be overridden."""
 
-    kind: Annotated[str, one_of(CONTENTS, "contents"), named(CONTENTS)] = Field(
+    kind: Annotated[str, field.one_of(CONTENTS, "contents"), field.named(CONTENTS)] = Field(
         default="books", description="Kind of contents; a default, not a citation."
     )
     loads: Loads | None = Field(
@@ -71,7 +58,7 @@ class ContentsTable(ValueTable):
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
-        checked("contents", self.contents)
+        field.checked("contents", self.contents)
         return self
 
     def contents(self, shelves: list[float] | None = None) -> Contents:
@@ -83,15 +70,15 @@ class ContentsTable(ValueTable):
         return Contents(**stated, loads=None if loads is None else tuple(loads))
 
 
-@fields_of(Floor, optional=("static_friction", "kinetic_friction", "settlement"))
-class FloorTable(ValueTable):
+@field.fields_of(Floor, optional=("static_friction", "kinetic_friction", "settlement"))
+class FloorTable(field.ValueTable):
     """The floor: a surface preset, coefficients of one's own, or both, the latter overriding."""
 
     surface: Surface | None = Field(default=None, description="A surface preset; a default, not a citation.")
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
-        checked("room.floor", self.floor)
+        field.checked("room.floor", self.floor)
         return self
 
     def floor(self) -> Floor:
@@ -105,22 +92,23 @@ def floor_of(floor: str | FloorTable) -> Floor:
     return Floor.of(floor) if isinstance(floor, str) else floor.floor()
 
 
-@fields_of(Wall)
-class WallTable(ValueTable):
+@field.fields_of(Wall)
+class WallTable(field.ValueTable):
     """A wall beside the body."""
 
 
-@fields_of(Ceiling)
-class CeilingTable(ValueTable):
+@field.fields_of(Ceiling)
+class CeilingTable(field.ValueTable):
     """A ceiling above the body."""
 
 
 FloorChoice = Annotated[
-    Annotated[Surface, Tag(NAME)] | Annotated[FloorTable, Tag(TABLE)], Discriminator(kind_of)
+    Annotated[Surface, Tag(field.NAME)] | Annotated[FloorTable, Tag(field.TABLE)],
+    Discriminator(field.kind_of),
 ]
 
 
-class RoomTable(Table):
+class RoomTable(field.Table):
     """Floor, walls and ceiling; where the walls of a room with a plan are is said by the plan."""
 
     floor: FloorChoice = Field(
@@ -147,13 +135,13 @@ class RoomTable(Table):
         return Room(floor_of(self.floor), **around)
 
 
-@fields_of(
+@field.fields_of(
     Everyday,
     optional=("drawers", "carpet"),
     drawers="Drawers that can be open at once; default the preset's.",
     carpet="By how much the back stands higher than the front; default 11 mm on carpet, else 0.",
 )
-class EverydayTable(ValueTable):
+class EverydayTable(field.ValueTable):
     """What people do to the piece without an earthquake."""
 
     def everyday(self, preset: str | None, surface: str = "") -> Everyday:
@@ -165,8 +153,8 @@ class EverydayTable(ValueTable):
         return Everyday(**usual | self.model_dump(exclude_none=True))
 
 
-@fields_of(State)
-class InitialTable(ValueTable):
+@field.fields_of(State)
+class InitialTable(field.ValueTable):
     """How the body stands and moves at the beginning."""
 
     def state(self) -> State:
@@ -174,21 +162,22 @@ class InitialTable(ValueTable):
         return State(**self.model_dump())
 
 
-StructureName = Annotated[str, one_of(STRUCTURES, "structure"), named(STRUCTURES)]
+StructureName = Annotated[str, field.one_of(STRUCTURES, "structure"), field.named(STRUCTURES)]
 Masses = Annotated[
-    list[Annotated[float, each(ShearModel, "masses")]], Field(min_length=1, max_length=MOST_STOREYS)
+    list[Annotated[float, field.each(ShearModel, "masses")]], Field(min_length=1, max_length=MOST_STOREYS)
 ]
 Stiffnesses = Annotated[
-    list[Annotated[float, each(ShearModel, "stiffnesses")]], Field(min_length=1, max_length=MOST_STOREYS)
+    list[Annotated[float, field.each(ShearModel, "stiffnesses")]],
+    Field(min_length=1, max_length=MOST_STOREYS),
 ]
 REGULAR = ["storeys", "structure", "period", "storey_height", "nonlinear", "yield_coefficient", "post_yield"]
 
 
-@fields_of(Building)
-class BuildingTable(ValueTable):
+@field.fields_of(Building)
+class BuildingTable(field.ValueTable):
     """The building: what people know of it, or masses and stiffnesses of one's own."""
 
-    storeys: int | None = of(Building, "storeys", default=None)
+    storeys: int | None = field.of(Building, "storeys", default=None)
     structure: StructureName | None = Field(default=None, description='Structure; "RC" where it is not said.')
     nonlinear: bool = Field(
         default=True,
@@ -241,7 +230,7 @@ class BuildingTable(ValueTable):
             name, allowed = "shaking.building.storeys", parameter_of(Building, "storeys")
             words = phrase("scenario.whole_number", low=allowed.low, high=allowed.high, unit="")
             raise InputError("scenario.missing", name, allowed=words)
-        checked("shaking.building", self.building)
+        field.checked("shaking.building", self.building)
         return self
 
     def building(self) -> Building | ShearModel:

@@ -15,16 +15,8 @@ from stayput.errors import InputError, instance_of, list_of, no_length, not_allo
 from stayput.errors import numbers as array_of
 from stayput.measures.measure import element_rows, hold
 from stayput.mechanics.devices.columns import ELEMENT
+from stayput.model import flat_fields as flat_field
 from stayput.model.body import Body
-from stayput.model.flat_fields import (
-    WALLS_AND_CEILING,
-    NumberOrColumn,
-    case_rows,
-    distance_to,
-    fields_of,
-    flat_fields,
-    from_flat_fields,
-)
 from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.model.state import refuse_bad_start
 from stayput.motion.record import Motion
@@ -141,7 +133,7 @@ class Grid:
                     raise error.at(where) from None
 
     def _refuse_bad_case(self, numbers: dict[str, float]) -> None:
-        body, room, _ = from_flat_fields(numbers)
+        body, room, _ = flat_field.from_flat_fields(numbers)
         if self.dimensions == 3:
             if body.length is None:
                 raise no_length()
@@ -159,7 +151,7 @@ def _extreme_rows(block: CaseBlock) -> set[int]:
     """Return the rows at which a limited quantity is smallest, largest or NaN, which argmin finds as well."""
     numbers = block.base | block.columns
     b, h = numbers["body.width"], numbers["body.height"]
-    rows = case_rows(numbers, block.count)  # type: ignore[arg-type]
+    rows = flat_field.case_rows(numbers, block.count)  # type: ignore[arg-type]
     limited = [column for path, column in block.columns.items() if path not in (MOTION, LAW)]
     limited += [
         np.abs(numbers["body.cg_offset.x"]) - b / 2,
@@ -212,7 +204,7 @@ def _initial_clearances(rows: NDArray[np.void]) -> list[NDArray[np.float64]]:
 
 
 def held_rows(
-    numbers: Mapping[str, NumberOrColumn], count: int, measures: tuple[Measure, ...]
+    numbers: Mapping[str, flat_field.NumberOrColumn], count: int, measures: tuple[Measure, ...]
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
     """Return rows of cases in the plane with measures in place: CASE, shape [count], and ELEMENT, [count, n].
 
@@ -233,7 +225,7 @@ def held_rows(
         Measures that cannot be put in place.
     """
     if not measures:
-        return case_rows(numbers, count), np.zeros((count, 0), ELEMENT)
+        return flat_field.case_rows(numbers, count), np.zeros((count, 0), ELEMENT)
     varied = [
         path
         for path, values in numbers.items()
@@ -247,10 +239,10 @@ def held_rows(
         _put_in_place({k: _number(v, row) for k, v in numbers.items()}, measures) for row in first.tolist()
     ]
     changed = {path: np.array([fields[path] for fields, _ in pairs])[which] for path in pairs[0][0]}
-    return case_rows({**numbers, **changed}, count), np.stack([rows for _, rows in pairs])[which]
+    return flat_field.case_rows({**numbers, **changed}, count), np.stack([rows for _, rows in pairs])[which]
 
 
-def _number(values: NumberOrColumn, row: int) -> float:
+def _number(values: flat_field.NumberOrColumn, row: int) -> float:
     """Return the number of one row; a single number is that of all rows."""
     every = np.ravel(values)
     return float(every[row if every.size > 1 else 0])
@@ -259,10 +251,13 @@ def _number(values: NumberOrColumn, row: int) -> float:
 def _put_in_place(
     numbers: dict[str, float], measures: tuple[Measure, ...]
 ) -> tuple[dict[str, float], NDArray[np.void]]:
-    body, room, start = from_flat_fields(numbers)
+    body, room, start = flat_field.from_flat_fields(numbers)
     held = hold(body, room, measures)
     refuse_bad_start(held.body, held.room, start)
-    return {**fields_of("body", held.body), **fields_of("room", held.room)}, element_rows(held)
+    return {
+        **flat_field.fields_of("body", held.body),
+        **flat_field.fields_of("room", held.room),
+    }, element_rows(held)
 
 
 Axes: TypeAlias = "Mapping[str | tuple[str, ...], Any]"
@@ -288,7 +283,7 @@ def make_grid(case: Case, axes: Axes) -> Grid:
         An unknown path, a path on two axes, values of the wrong kind, or cases that are not possible.
     """
     instance_of("case", case, Case)
-    base = flat_fields(case.body, case.room, case.initial, case.gravity)
+    base = flat_field.flat_fields(case.body, case.room, case.initial, case.gravity)
     base |= {MOTION: 0.0, LAW: float(law_number(case.contact))}  # the motion is the first of the list
     motions: list[Motion] = [case.motion]
     grid_axes: list[Axis] = []
@@ -349,7 +344,7 @@ def _columns(
             motions.extend({id(item): item for item in items}.values())
             return {MOTION: np.array([place[id(item)] for item in items])}, [item.name for item in items]
         list_of(name, items, OBJECT_PATHS[name])
-        table = [fields_of(name, item) for item in items]
+        table = [flat_field.fields_of(name, item) for item in items]
         return {path: np.array([row[path] for row in table]) for path in table[0]}, np.arange(len(items))
     if name not in base:
         raise unknown("simulation.path", name, sorted({*base, *OBJECT_PATHS}), name)
@@ -369,8 +364,8 @@ def finite_numbers(name: str | Phrase, values: Any, field: str, least: int = 1) 
 
 
 def _refuse_missing_surfaces(base: dict[str, float], changed: set[str]) -> None:
-    for name in WALLS_AND_CEILING:
-        distance = distance_to(name)
+    for name in flat_field.WALLS_AND_CEILING:
+        distance = flat_field.distance_to(name)
         touched = [path for path in changed if path.startswith(f"room.{name}.")]
         if touched and distance not in changed and np.isinf(base[distance]):
             path, surface = min(touched), phrase(f"simulation.{name}")

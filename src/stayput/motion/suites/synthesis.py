@@ -20,25 +20,7 @@ from stayput.errors import instance_of, whole_within, word_of
 from stayput.model.parameters import arguments, quantity
 from stayput.motion.processing import ending_at_rest, fft_length
 from stayput.motion.record import Motion
-from stayput.motion.suites.families import (
-    DT,
-    FAMILIES,
-    KINDS,
-    MIX,
-    SEED_RANGE,
-    BasinWaves,
-    Draws,
-    Family,
-    Parameters,
-    Pulse,
-    cosine_taper,
-    crust_amplification,
-    draw_parameters,
-    envelope,
-    s_arrival,
-    saragoni_hart,
-    step_count,
-)
+from stayput.motion.suites import families as familie
 from stayput.motion.suites.suite import Suite
 from stayput.motion.suites.target import DEFAULT_BAND, TargetSpectrum
 from stayput.motion.synthetic import mavroeidis_papageorgiou
@@ -96,7 +78,9 @@ COMPONENTS = {
 }
 
 
-def _random_factor(f: NDArray[np.float64], common: NDArray[np.float64], draw: Draws) -> NDArray[np.float64]:
+def _random_factor(
+    f: NDArray[np.float64], common: NDArray[np.float64], draw: familie.Draws
+) -> NDArray[np.float64]:
     """Return a random smooth factor on each frequency, partly common to all components."""
     alone = draw.noise(len(_OCTAVES))
     knots = ROUGHNESS * (math.sqrt(SHARED) * common + math.sqrt(1.0 - SHARED) * alone)
@@ -119,10 +103,10 @@ def _late_waves(
     t: NDArray[np.float64],
     f: NDArray[np.float64],
     n_fft: int,
-    waves: BasinWaves,
+    waves: familie.BasinWaves,
     arrival: float,
     body: float,
-    draw: Draws,
+    draw: familie.Draws,
 ) -> NDArray[np.complex128]:
     """Return the transform of a narrow band about the basin's period, the longer waves first.
 
@@ -130,44 +114,44 @@ def _late_waves(
     """
     octaves = np.log2(np.maximum(f, 1e-4) * waves.period)
     band = np.exp(-0.5 * (octaves / 0.35) ** 2)
-    noise = draw.noise(len(t)) * saragoni_hart(t, arrival + waves.delay, waves.length)
+    noise = draw.noise(len(t)) * familie.saragoni_hart(t, arrival + waves.delay, waves.length)
     phase = -2.0 * math.pi * waves.dispersion * f * (octaves - 1.0 / math.log(2.0))
     return _shaped(noise, waves.strength * body * band, n_fft) * np.exp(1j * phase)
 
 
 def _acceleration(
-    family: Family,
-    params: Parameters,
+    family: familie.Family,
+    params: familie.Parameters,
     component: _Component,
     n: int,
     common: NDArray[np.float64],
-    draw: Draws,
+    draw: familie.Draws,
 ) -> NDArray[np.float64]:
     """Return the acceleration of one component [m/s²], shape (n,)."""
-    t = DT * np.arange(n, dtype=np.float64)
+    t = familie.DT * np.arange(n, dtype=np.float64)
     # Four periods of the low cut of zeros at the end, so that its tail does not wrap around to the start.
-    n_fft = fft_length(n + round(4.0 / (family.low_cut * DT)))
-    f = np.fft.rfftfreq(n_fft, DT).astype(np.float64)
-    crust = crust_amplification(f) ** component.crust_power
+    n_fft = fft_length(n + round(4.0 / (family.low_cut * familie.DT)))
+    f = np.fft.rfftfreq(n_fft, familie.DT).astype(np.float64)
+    crust = familie.crust_amplification(f) ** component.crust_power
     amplitude = component.strength * params.source.amplitude(f, component.kappa) * crust
     amplitude *= params.soil.amplification(f, component.velocity) * _random_factor(f, common, draw)
     velocity_pulse = np.zeros(n)
     if params.pulse is not None:
-        velocity_pulse = _pulse(t, params.pulse, component, s_arrival(params), draw)
-        covered = DT * np.abs(np.fft.rfft(velocity_pulse, n_fft))
+        velocity_pulse = _pulse(t, params.pulse, component, familie.s_arrival(params), draw)
+        covered = familie.DT * np.abs(np.fft.rfft(velocity_pulse, n_fft))
         # The pulse is a part of the spectrum, noise the rest (Mavroeidis and Papageorgiou 2003).
         amplitude = np.maximum(amplitude - covered, 0.0)
-    noise = draw.noise(n) * envelope(t, params, component.p_waves)
+    noise = draw.noise(n) * familie.envelope(t, params, component.p_waves)
     transform = _shaped(noise, amplitude, n_fft)
     if params.waves is not None:
         body = component.basin_waves * float(np.interp(1.0 / params.waves.period, f, amplitude))
-        transform += _late_waves(t, f, n_fft, params.waves, s_arrival(params), body, draw)
-    a = np.fft.irfft(transform * _low_cut(f, family.low_cut), n_fft)[:n] / DT
-    return ending_at_rest(a * cosine_taper(t, TAPER) + velocity_pulse)
+        transform += _late_waves(t, f, n_fft, params.waves, familie.s_arrival(params), body, draw)
+    a = np.fft.irfft(transform * _low_cut(f, family.low_cut), n_fft)[:n] / familie.DT
+    return ending_at_rest(a * familie.cosine_taper(t, TAPER) + velocity_pulse)
 
 
 def _pulse(
-    t: NDArray[np.float64], pulse: Pulse, component: _Component, arrival: float, draw: Draws
+    t: NDArray[np.float64], pulse: familie.Pulse, component: _Component, arrival: float, draw: familie.Draws
 ) -> NDArray[np.float64]:
     """Return the pulse's acceleration in a component [m/s²]: it begins with the S waves."""
     velocity = pulse.velocity * draw.uniform(*component.pulse)
@@ -202,18 +186,18 @@ def synthetic_motion(family: str, number: int = 1, seed: int = 1) -> Motion:
     InputError
         No such family; a number or a seed out of range.
     """
-    chosen = KINDS[word_of("motion.family", family, FAMILIES, "family")]
-    key = Draws.key(seed, FAMILIES.index(family), number)
-    params = draw_parameters(chosen, Draws(*key))
-    n = step_count(chosen, params) + 1
-    common = Draws(*key, 1).noise(len(_OCTAVES))
+    chosen = familie.KINDS[word_of("motion.family", family, familie.FAMILIES, "family")]
+    key = familie.Draws.key(seed, familie.FAMILIES.index(family), number)
+    params = familie.draw_parameters(chosen, familie.Draws(*key))
+    n = familie.step_count(chosen, params) + 1
+    common = familie.Draws(*key, 1).noise(len(_OCTAVES))
     samples: dict[str, Any] = {
-        name: _acceleration(chosen, params, component, n, common, Draws(*key, 2 + place))
+        name: _acceleration(chosen, params, component, n, common, familie.Draws(*key, 2 + place))
         for place, (name, component) in enumerate(COMPONENTS.items())
     }
     source = f"synthetic, not a recorded earthquake: {params}; seed {seed}; residual displacement 0"
     name = f"synthetic {chosen.label} {number}"
-    return Motion(DT, **samples, name=name, synthetic=True, source=source)
+    return Motion(familie.DT, **samples, name=name, synthetic=True, source=source)
 
 
 MIXED = "mixed"
@@ -241,13 +225,13 @@ def mixed_order(count: int) -> list[str]:
     """
     order: list[str] = []
     for place in range(1, count + 1):
-        order.append(max(MIX, key=lambda family: MIX[family] * place - order.count(family)))
+        order.append(max(familie.MIX, key=lambda family: familie.MIX[family] * place - order.count(family)))
     return order
 
 
 @arguments(
     count=quantity("", *COUNT_RANGE, phrase("motion.name_count")),
-    seed=quantity("", *SEED_RANGE, phrase("common.seed")),
+    seed=quantity("", *familie.SEED_RANGE, phrase("common.seed")),
 )
 def synthetic_suite(
     family: str = MIXED,
@@ -295,18 +279,18 @@ def synthetic_suite(
     synthetic near-fault 1: 6.2 m/s², 76 cm/s
     synthetic long-period basin 1: 6.5 m/s², 73 cm/s
     """
-    word_of("motion.family", family, (MIXED, *FAMILIES), "family")
+    word_of("motion.family", family, (MIXED, *familie.FAMILIES), "family")
     if target is not None:
         instance_of("target", target, TargetSpectrum)
     n = whole_within("motion.name_count", count, *COUNT_RANGE, field="count")
-    number = whole_within("common.seed", seed, *SEED_RANGE, field="seed")
+    number = whole_within("common.seed", seed, *familie.SEED_RANGE, field="seed")
     families = mixed_order(n) if family == MIXED else [family] * n
-    counts = dict.fromkeys(FAMILIES, 0)
+    counts = dict.fromkeys(familie.FAMILIES, 0)
     motions: list[Motion] = []
     for member in families:
         counts[member] += 1
         motions.append(_cached_motion(member, counts[member], number))
-    label = MIXED if family == MIXED else KINDS[family].label
+    label = MIXED if family == MIXED else familie.KINDS[family].label
     suite = Suite(tuple(motions), f"synthetic {label} suite, seed {number}")
     if target is None:
         return suite
