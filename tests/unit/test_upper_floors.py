@@ -7,7 +7,6 @@ import json
 import math
 from dataclasses import replace
 from functools import partial
-from html import unescape
 
 import pytest
 from inventories import CITY, table
@@ -28,10 +27,11 @@ from stayput.fragility.intensity_measures import (
     spectral_acceleration,
 )
 from stayput.motion.ground_shaking import mercalli_of
+from stayput.report.fragility import plot_options
 from stayput.report.plot import plot_run
 from stayput.report.verdict.data import verdict_data
 from stayput.report.verdict.exports import demand_of
-from stayput.report.verdict.html import curves_svg, report_html
+from stayput.report.verdict.html import report_html
 from stayput.report.verdict.tables import verdict_csv, verdict_markdown
 from stayput.scenario.shaking import STRENGTHS
 from stayput.verification.words import class_label
@@ -217,9 +217,10 @@ def test_its_data_and_curves_carry_the_label(verdict):
     assert "floor_jma_50_percent" in verdict_csv(verdict)
     assert "\njma_intensity" not in verdict_csv(verdict)
     for language, name in zip(("en", "ja"), FLOOR_JMA.names, strict=True):
-        picture = curves_svg(verdict, language)
-        assert name in unescape(picture)
-        assert class_label(6.25, language) not in picture  # classes are of a place
+        (axis,) = plot_options(verdict, JMA_INTENSITY, language=language).axes
+        assert axis.get_xlabel().lower() == name.lower()
+        texts = [text.get_text() for text in axis.texts]
+        assert class_label(6.25, language) not in texts  # classes are of a place
 
 
 def test_the_ground_is_told_as_before():

@@ -31,7 +31,6 @@ from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import assumptions
 from stayput.report.verdict.data import verdict_data
 from stayput.report.verdict.exports import write_curves
-from stayput.report.verdict.html import legend
 from stayput.report.verdict.numbers import capacity, capacity_interval, change, force, length, share
 from stayput.report.verdict.tables import device_rows, simulations, verdict_csv, verdict_markdown
 from stayput.scenario.measures import Option
@@ -153,7 +152,6 @@ def test_two_of_one_measure_are_told_apart(language):
     titles = {title(each.option, two, language) for each in two.options}
     assert len(titles) == 4
     assert "strong belt" in next(told for told in titles if "strong" in told)
-    assert {entry["label"] for entry in legend(two, language)} == titles
     assert "(belt)" in headline(two, language) or "（belt）" in headline(two, language)
     assert "(belt)" not in headline(one, language)
 

@@ -81,20 +81,19 @@ TEXTS: dict[str, tuple[str, str]] = {
     "unsure": ("unsure", "不確実"),
     "interval": ("95 % interval", "95%区間"),
     "fragility": ("How strong may the shaking be?", "どの強さの揺れまで耐えるか"),
-    "fragility_text": (("Share that overturns against the intensity. The marks are what was counted at "
-                        "each level; the lines join the nearest rising shares (isotonic regression: no "
-                        "shape is assumed); the bands are 95 % intervals, as with other motions of the "
-                        "same kind. Marks and bands are drawn for no measure and for the best one."),
-                       ("計測震度に対する転倒の割合です。印は各レベルで数えた割合、"
+    "fragility_text": (("Share that overturns against the intensity, without a measure and with the best "
+                        "ones. The marks are what was counted at each level; the lines join the nearest "
+                        "rising shares (isotonic regression: no shape is assumed); the bands are 95 % "
+                        "intervals, as with other motions of the same kind. Of more than three curves the "
+                        "first two have bands."),
+                       ("計測震度に対する転倒の割合です（対策なしと上位の対策）。印は各レベルで数えた割合、"
                         "線は増加のみを仮定した当てはめ（単調回帰）、"
-                        "帯は同じ種類の別の地震動も考えた95%区間です（印と帯は対策なしと最良の対策のみ）。")),
+                        "帯は同じ種類の別の地震動も考えた95%区間です（曲線が4本以上なら最初の2本のみ）。")),
     "fragility_alt": (("Curves of the share that overturns over the intensity, one for each measure; the "
                        "numbers are in the table of the measures."),
                       "計測震度に対する転倒割合の曲線（対策ごと）。数値は順位の表にあります。"),
-    "axis_intensity": ("JMA instrumental intensity of the ground", "地盤の計測震度"),
     "axis_share": ("Share that overturns", "転倒する割合"),
     "here": ("this shaking: {value}", "この揺れ：{value}"),
-    "no_curve": ("no curve ({state})", "曲線なし（{state}）"),
     "no_interval": ("one motion: no interval", "地震動が1つのため区間なし"),
     "no_bands": ("One motion tells nothing of how other motions scatter, so there are no bands.",
                  "地震動が1つだけでは、他の地震動でどれだけばらつくか分からないため、帯はありません。"),

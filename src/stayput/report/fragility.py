@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from unicodedata import east_asian_width
@@ -28,6 +29,7 @@ from stayput.report.figures import (
 )
 from stayput.report.palette import COMPONENT_COLOURS, INK, MUTED
 from stayput.report.verdict import numbers
+from stayput.report.verdict.assumptions import motions_told
 from stayput.verification.words import title
 
 if TYPE_CHECKING:
@@ -48,6 +50,9 @@ _LOOKS = (
     ("#7f5539", (0, (2.0, 2.0)), "*"),
 )
 """Colour, line and marker of each curve; the colours are those of Okabe and Ito, and a brown."""
+
+_BANDS = 3
+"""Most curves that all have their intervals; of more the first two have them, which others would hide."""
 
 _POINTS = 381
 _TOP = 1.1
@@ -76,7 +81,8 @@ def plot_fragility(
     Parameters
     ----------
     curves : sequence of FragilityCurve
-        One to eight curves over the same measure. Of one that is not fitted only what was observed is drawn.
+        One to eight curves over the same measure. Of one that is not fitted only what was observed is drawn;
+        of more than three curves the first two have their intervals.
     path : str or Path, optional
         Where to save it: PNG, SVG or PDF, by its ending.
     here : float, optional
@@ -109,7 +115,8 @@ def plot_fragility(
     ]
     shift = 0.6 * min(steps, default=0.0) / len(_LOOKS)  # moves the markers of the curves apart
     for place, curve in enumerate(curves):
-        _draw(axis, curve, place, shift * (place - 0.5 * (len(curves) - 1)), language)
+        shows = len(curves) <= _BANDS or place < 2
+        _draw(axis, curve, place, shift * (place - 0.5 * (len(curves) - 1)), language, shows)
     _finish(axis, curves, measure, language)
     if here is not None:
         label = say("report.here", language, value=measure.text(here))
@@ -123,6 +130,27 @@ def plot_fragility(
     legend: dict[str, Any] = {"loc": "outside lower center", "frameon": False, "handlelength": 3.6}
     figure.legend(ncols=1 if widest > 52 or len(curves) < 3 else 2, fontsize=FONT - 1.0, **legend)
     return saved(figure, path)
+
+
+def plot_options(
+    verdict: Verdict, measure: IntensityMeasure, path: Path | None = None, language: str = "en"
+) -> Figure:
+    """Plot a verdict's curves over one of its measures: that of no measure, and those of the best seven."""
+    bare = verdict.without
+    best = [result for result in verdict.options if result is not bare][: len(_LOOKS) - 1]
+    curves = [
+        replace(result.curves[measure], name=title(result.option, verdict, language))
+        for result in (bare, *best)
+    ]
+    motions = say(motions_told(verdict.scenario, verdict.motions)[0], language)
+    return plot_fragility(
+        curves,
+        path,
+        here=verdict.intensity if measure == JMA_INTENSITY else None,
+        title=verdict.scenario.title or "",
+        subtitle=say("report.motions_shown", language, motions=motions),
+        language=language,
+    )
 
 
 def draw_curve(axis: Axes, curve: FragilityCurve, language: str, **line: Any) -> None:
@@ -150,7 +178,7 @@ def draw_curve(axis: Axes, curve: FragilityCurve, language: str, **line: Any) ->
     ]
     _refuse_other_measures([*over, curve.measure.key])
     style(axis, zero=False)
-    _draw(axis, curve, len(over) % len(_LOOKS), 0.0, language, **line)
+    _draw(axis, curve, len(over) % len(_LOOKS), 0.0, language, True, **line)
     _label(axis, curve.measure, language)
     if not curve.measure.is_logarithm:
         axis.xaxis.set_major_locator(LogLocator(subs=_DIGITS))
@@ -175,7 +203,9 @@ def _legend_label(curve: FragilityCurve, language: str) -> str:
     return say("plots.half_state", language, name=name, state=curve.state.phrase, half=half)
 
 
-def _draw(axis: Axes, curve: FragilityCurve, place: int, shift: float, language: str, **line: Any) -> None:
+def _draw(
+    axis: Axes, curve: FragilityCurve, place: int, shift: float, language: str, ends_shown: bool, **line: Any
+) -> None:
     colour, dashes, marker = _LOOKS[place]
     looks: dict[str, Any] = {"color": colour, "linestyle": dashes, "marker": marker}
     looks |= {"linewidth": 2.0, "markersize": 5.0} | line
@@ -189,12 +219,15 @@ def _draw(axis: Axes, curve: FragilityCurve, place: int, shift: float, language:
         grid = curve.grid(_POINTS)
         x = grid * measure.shown
         low, high = curve.band(grid)
-        axis.fill_between(x, low, high, color=colour, alpha=0.13, linewidth=0.0)
+        if ends_shown:
+            axis.fill_between(x, low, high, color=colour, alpha=0.13, linewidth=0.0)
         line_alone: dict[str, Any] = looks | {"marker": "none"}
         axis.plot(x, curve.probability(grid), **line_alone)
     else:
         looks["linestyle"] = "none"
-    axis.errorbar(middles, shares, yerr=ends, fmt="none", ecolor=colour, elinewidth=0.8, alpha=0.45, zorder=3)
+    if ends_shown:
+        bars: dict[str, Any] = {"fmt": "none", "ecolor": colour, "elinewidth": 0.8, "alpha": 0.45}
+        axis.errorbar(middles, shares, yerr=ends, zorder=3, **bars)
     with_marks: dict[str, Any] = looks | {"markerfacecolor": "white", "zorder": 4}
     marks_alone: dict[str, Any] = with_marks | {"linestyle": "none"}
     axis.plot(middles, shares, gid=_SHARES + measure.key, **marks_alone)

@@ -21,7 +21,6 @@ import math
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -33,9 +32,8 @@ from stayput.files import CSV_ENCODING, check_target, csv_text, draft, folder_dr
 from stayput.fragility import intensity_measures
 from stayput.fragility.curve import METHOD, CurveState, FragilityCurve
 from stayput.model.parameters import STANDARD_GRAVITY
-from stayput.report.fragility import plot_fragility
+from stayput.report.fragility import plot_options
 from stayput.report.summary import number
-from stayput.report.verdict.assumptions import motions_told
 from stayput.verification.words import title
 
 if TYPE_CHECKING:
@@ -302,9 +300,6 @@ POINTS = 101
 FOR_PEOPLE = ("curves.csv", "observed.csv")
 """Tables that people open in a spreadsheet; pelicun reads the other one, which is ASCII."""
 
-DRAWN = 8
-"""Most curves in a figure: no measure, and the best ones."""
-
 
 def write_curves(
     verdict: Verdict, measure: intensity_measures.IntensityMeasure, folder: Path, language: str = "en"
@@ -366,7 +361,7 @@ def write_curves(
     with folder_draft(folder) as unfinished:
         for name, text in texts.items():
             if text is None:
-                _plot(verdict, measure, unfinished / name, language)
+                plot_options(verdict, measure, unfinished / name, language)
             else:
                 encoding = CSV_ENCODING if name in FOR_PEOPLE else "utf-8"
                 (unfinished / name).write_text(text, encoding=encoding)
@@ -421,22 +416,3 @@ def key(measure: intensity_measures.IntensityMeasure) -> str:
     unit = "" if measure.is_logarithm else "_m_s" if measure.unit == "cm/s" else "_m_s2"
     name = measure.key if measure.period is None else f"sa_{measure.period:g}"
     return f"{name.lower()}{unit}"
-
-
-def _plot(verdict: Verdict, measure: intensity_measures.IntensityMeasure, path: Path, language: str) -> None:
-    bare = verdict.without
-    best = [result for result in verdict.options if result is not bare][: DRAWN - 1]
-    curves = [
-        replace(result.curves[measure], name=title(result.option, verdict, language))
-        for result in (bare, *best)
-    ]
-    motions = say(motions_told(verdict.scenario, verdict.motions)[0], language)
-    here = verdict.intensity if measure == intensity_measures.JMA_INTENSITY else None
-    plot_fragility(
-        curves,
-        path,
-        here=here,
-        title=verdict.scenario.title or "",
-        subtitle=say("report.motions_shown", language, motions=motions),
-        language=language,
-    )

@@ -4,33 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from html import escape
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
-
-PAIRS = 400
-"""Most pairs of least and greatest value in the line of a history."""
-
-
-@dataclass(frozen=True, slots=True)
-class PixelAxis:
-    """A linear axis: values from ``low`` to ``high`` lie from ``start`` to ``end`` [px]."""
-
-    low: float
-    high: float
-    start: float
-    end: float
-
-    def at(self, values: ArrayLike) -> NDArray[np.float64]:
-        """Return where values lie [px]."""
-        share = (np.asarray(values, np.float64) - self.low) / (self.high - self.low)
-        return self.start + share * (self.end - self.start)
-
-    def place(self, value: float) -> float:
-        """Return where one value lies [px]."""
-        return float(self.at(value))
+from numpy.typing import ArrayLike
 
 
 def element(name: str, content: str = "", **attributes: str | float) -> str:
@@ -53,11 +30,6 @@ def label(x: float, y: float, text: str, class_: str = "small", anchor: str = "m
 def line(x0: float, y0: float, x1: float, y1: float, class_: str) -> str:
     """Return a straight line [px]."""
     return element("line", x1=x0, y1=y0, x2=x1, y2=y1, class_=class_)
-
-
-def tick(x: float, y: float, text: str) -> list[str]:
-    """Return a mark below an axis along x, with its value."""
-    return [line(x, y, x, y + 5.0, "axis"), label(x, y + 20.0, text)]
 
 
 def box(x0: float, y0: float, x1: float, y1: float, class_: str) -> str:
