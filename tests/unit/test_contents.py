@@ -9,7 +9,7 @@ import pytest
 
 import stayput as sp
 from stayput.contents.contents import emptied, opened
-from stayput.contents.items import items_of, uncovered
+from stayput.contents.spill import items_of, uncovered
 from stayput.errors import InputError
 from stayput.scenario import Scenario
 
