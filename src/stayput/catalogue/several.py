@@ -25,7 +25,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "device_of": ("mostly on {name}: {weakest}", "多くは「{name}」で、{weakest}ことによります"),
     "slides": ("in 90 % no furniture slides by over {length}", "90%の場合は移動が{length}以内です"),
     # The report
-    "report": ("Verification of several pieces of furniture", "複数の家具の地震対策の検証"),
     "about": (("Simulated in space, under all components of the motions, with friction and impacts "
                "between the pieces. Options are ranked by how often any piece of furniture overturns "
                "(presets and boxes), then by sliding, failing devices and hits on walls; other objects "
@@ -33,17 +32,11 @@ TEXTS: dict[str, tuple[str, str]] = {
               ("三次元で、地震動のすべての成分と、家具どうしの摩擦・衝突を考慮して計算しました。順位は、"
                "いずれかの家具（規定の家具と直方体）が転倒する割合、移動、器具の破損、"
                "壁への衝突の順で決めています。そのほかの物は個別に示します。")),
-    "ranking_text": ("The bars show shares of all runs; the thin line is the 95 % interval.",
-                     "棒は全計算に対する割合、細い線は95%区間です。"),
     "brief_text": (("Columns of events count any piece of furniture; those of the pieces tell how often "
                     "each overturns."),
                    "事象の列はいずれかの家具に起こる割合、各家具の列はその家具が転倒する割合です。"),
-    "simulations_text": ("{runs} runs: motions × Monte Carlo samples {motions} × {samples} for each option",
-                    "合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、各案で計算"),
-    "measure": ("Option", "案"),
     "overturned": ("Any furniture overturns", "いずれかの家具が転倒"),
     "each": ("Which pieces overturn", "転倒する家具"),
-    "details": ("Joints and devices of each option", "案ごとの接合部と器具"),
     "holds": ("Holds", "取付け先"),
     "piece_box": ("{width:g} × {length:g} × {height:g} m, {mass:.4g} kg",
                   "{width:g} × {length:g} × {height:g} m、{mass:.4g} kg"),

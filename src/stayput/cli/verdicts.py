@@ -17,7 +17,7 @@ from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY
 from stayput.montecarlo.counting import EVENTS, OVERTURNED
 from stayput.report.room.report import sections, sentences, simulations_of_room
 from stayput.report.verdict import numbers
-from stayput.report.verdict.numbers import NO_NUMBER, word, word_of
+from stayput.report.verdict.numbers import NO_NUMBER, word
 from stayput.report.verdict.tables import SHARES, grades_text, impossible_rows, ranking, simulations
 from stayput.verification.words import title
 from stayput.wording import with_aside
@@ -50,7 +50,7 @@ def print_verdict(verdict: Verdict, lang: str) -> None:
 
 def _print_options(verdict: Verdict, lang: str) -> None:
     """Print the title, what is found, the table of options, and why each is where it is."""
-    text, text_of = partial(word, language=lang), partial(word_of, verdict, language=lang)
+    text = partial(word, language=lang)
     alone, colon = verdict.scenario.alone, text("colon")
     rows: list[tuple[str, ...]] = []
     reasons: list[str] = []
@@ -80,14 +80,16 @@ def _print_options(verdict: Verdict, lang: str) -> None:
     inside = () if verdict.without.contents is None else (text("brief_contents_out"),)
     capacities = [text("brief_capacity", share=f"{100.0 * share:g}") for share in SHARES]
     each = capacities if alone else verdict.scenario.names
-    headings = (text_of("measure"), *events, *inside, text("brief_slide"), *each)
+    headings = (text("measure"), *events, *inside, text("brief_slide"), *each)
     jma = FLOOR_JMA if verdict.floor else JMA_INTENSITY
     console, paragraph = terminal(lang, verdict.scenario.title)
     paragraph(verdict.sentence(lang))
     console.print(_ranked(headings, rows, console, len(SHARES) if alone else 0))
-    paragraph(text_of("brief_text", intensity=jma.names))
     if alone:
+        paragraph(text("brief_text", intensity=jma.names))
         paragraph(grades_text(lang))
+    else:
+        paragraph(say("several.brief_text", lang))
     for line in (*reasons, *verdict.notes(lang)):
         console.print(line, soft_wrap=True)
     if verdict.motions == 1:

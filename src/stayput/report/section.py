@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from matplotlib.patches import Polygon, Rectangle
@@ -39,7 +40,9 @@ def draw_body_in_room(axis: Axes, body: Body | None, room: Room, language: str) 
     draw_section(axis, Held(body or STAND_IN, room), language, dashed=body is None)
 
 
-def draw_section(axis: Axes, held: Held, language: str, *, dashed: bool = False) -> None:
+def draw_section(
+    axis: Axes, held: Held, language: str, *, dashed: bool = False, stands: Stability | None = None
+) -> None:
     """Draw a body at rest with its measures, and what of the room is near.
 
     Parameters
@@ -52,6 +55,8 @@ def draw_section(axis: Axes, held: Held, language: str, *, dashed: bool = False)
         "en" or "ja".
     dashed : bool
         Whether the body is only indicated.
+    stands : str, optional
+        How firmly it stands, for its colour; then with depth and height in place of axes, R and α.
     """
     body = held.body
     size = max(body.width, body.height)
@@ -60,12 +65,12 @@ def draw_section(axis: Axes, held: Held, language: str, *, dashed: bool = False)
     if dashed:
         axis.add_patch(Polygon(outline, fill=False, edgecolor=MUTED, linestyle="--"))
     else:
-        axis.add_patch(Polygon(outline, facecolor=STABILITY_COLOURS[Stability.STAYS]))
+        axis.add_patch(Polygon(outline, facecolor=STABILITY_COLOURS[stands or Stability.STAYS]))
         axis.add_patch(Polygon(outline, fill=False, edgecolor=INK, linewidth=1.4))
-        _draw_centre(axis, body, (a, b))
+        _draw_centre(axis, body, (a, b) if stands is None else ())
         _draw_measures(axis, held)
     left, right, top = _draw_room(axis, held.room, body, size)
-    if not dashed:
+    if not dashed and stands is None:
         place: dict[str, Any] = {"transform": axis.transAxes, "ha": "center", "va": "top"}
         axis.text(0.5, 0.99, _quantities(body), fontsize=FONT - 1.0, **place)
         top += _TEXT * size
@@ -73,16 +78,20 @@ def draw_section(axis: Axes, held: Held, language: str, *, dashed: bool = False)
     axis.set_aspect("equal")
     axis.set_xlim(left, right)
     axis.set_ylim(-_WALL * size, top)
-    label_axes(axis, language, "plots.across_room", "plots.above_floor")
+    if stands is None:
+        label_axes(axis, language, "plots.across_room", "plots.above_floor")
+    else:  # its depth and height alone
+        axis.set_xticks([0.0], [f"{100.0 * body.width:.3g} cm"])
+        axis.set_yticks([0.0, body.height], ["0", f"{100.0 * body.height:.3g} cm"])
     axis.tick_params(labelsize=FONT - 1.0, colors=INK)
     for side in ("top", "right"):
         axis.spines[side].set_visible(False)
 
 
-def _draw_centre(axis: Axes, body: Body, feet: tuple[tuple[float, float], tuple[float, float]]) -> None:
-    """Draw the centre of gravity, and from it the distances R to the base corners A and B."""
+def _draw_centre(axis: Axes, body: Body, feet: Sequence[tuple[float, float]]) -> None:
+    """Draw the centre of gravity, and from it the distances R to the base corners A and B, where given."""
     x, z = at_rest(body, body.centre_of_gravity)
-    for (u, v), name, aside in zip(feet, "AB", (4.0, -4.0), strict=True):
+    for (u, v), name, aside in zip(feet, "AB", (4.0, -4.0), strict=False):
         axis.plot([x, u], [z, v], color=INK, linestyle="--", linewidth=1.0)
         place: dict[str, Any] = {"textcoords": "offset points", "ha": "left" if aside > 0.0 else "right"}
         axis.annotate(name, (u, v), (aside, 2.0), fontsize=FONT - 1.0, **place)

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.catalogue import say
-from stayput.measures import Belt, Element, GelMats, Held, TensionPole, WedgeStopper
+from stayput.measures import Belt, Element, GelMats, Held, TensionPole, WedgeStopper, sketch
 from stayput.measures.wall import WallDevice
-from stayput.model.state import wall_faces
+from stayput.model.state import State, standing_corners, wall_faces
 from stayput.report.verdict import svg
-from stayput.report.verdict.drawing import piece_svg
 from stayput.rooms.step_words import elements_of, held_by
 from stayput.verification.room_words import piece_name
 
@@ -205,7 +204,7 @@ class _View:
         def place(x: float, z: float) -> tuple[float, float]:
             return self.side_at + self.metre * x, self.up(self.base + z)
 
-        yield from piece_svg(held, place)
+        yield from _piece_svg(held, place)
 
     def names(self, language: str) -> Iterator[str]:
         """Yield which view is which."""
@@ -236,3 +235,18 @@ def elevation_scale(fixes: Sequence[Fix], sizes: CardSizes) -> int:
         return all(width <= wide for width, _ in drawn) and sum(height for _, height in drawn) <= high
 
     return next(filter(fits, ELEVATION_SCALES), ELEVATION_SCALES[-1])
+
+
+def _piece_svg(held: Held, place: Callable[[float, float], tuple[float, float]]) -> list[str]:
+    """Return a piece at rest with its devices, whose points of the room [m] are placed on a drawing."""
+    body = held.body
+    a, b, c, d = standing_corners(body, State())
+    parts = [svg.polygon([place(*corner) for corner in (a, b, d, c)], "piece")]
+    for shape in sketch(held):
+        points = [place(*point) for point in shape.points]
+        if shape.kind == "polygon":
+            parts.append(svg.polygon(points, f"shape {shape.role}"))
+        else:
+            across, up = zip(*points, strict=True)
+            parts.append(svg.polyline(across, up, f"shape {shape.role} open"))
+    return parts

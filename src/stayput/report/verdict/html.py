@@ -8,25 +8,23 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from markupsafe import Markup
-
 from stayput.catalogue import phrase, say
 from stayput.catalogue.names import STABILITY
 from stayput.fragility.intensity_measures import JMA_INTENSITY
-from stayput.measures import Measure, parameters
+from stayput.measures import Measure, hold, parameters
 from stayput.montecarlo.counting import OVERTURNED, Member
 from stayput.report.animation import film_of, player_page
-from stayput.report.figures import drawable, embedded
+from stayput.report.figures import drawable, embedded, new_figure, with_fallback
 from stayput.report.fragility import plot_options
 from stayput.report.history import peak_told, window_of
-from stayput.report.names import motion_label
+from stayput.report.names import motion_label, named
 from stayput.report.page import framed, rendered, write_page
 from stayput.report.plot import plot_run
+from stayput.report.section import draw_section
 from stayput.report.summary import sentences_of_piece
 from stayput.report.verdict import numbers, tables
 from stayput.report.verdict.assumptions import Assumption, assumptions, told
-from stayput.report.verdict.drawing import drawing_svg
-from stayput.report.verdict.numbers import word, word_of
+from stayput.report.verdict.numbers import word
 from stayput.verification.contest import drawn_run
 from stayput.verification.words import class_label, title
 
@@ -109,14 +107,14 @@ def shared_content(
 
 def _content(verdict: Verdict, language: str) -> dict[str, Any]:
     shaking, alone = verdict.scenario.shaking, verdict.scenario.alone
-    text, text_of = partial(word, language=language), partial(word_of, verdict, language=language)
-    holds = () if alone else (text_of("holds"),)
+    text = partial(word, language=language)
+    holds = () if alone else (say("several.holds", language),)
     command = ["stayput", "verify", "scenario.toml", "--slide-limit", f"{verdict.slide_limit:g}"]
     held = [result for result in verdict.options if result.option.count]
     drawn = [verdict.without, *[verdict.best] * bool(verdict.best.option.count)] if alone else []
     sheets, texts = ["verdict/report.css"], "report" if alone else "several"
     return {
-        **shared_content(verdict, texts, text_of("report"), sheets, assumptions(verdict), language),
+        **shared_content(verdict, texts, text("report"), sheets, assumptions(verdict), language),
         "alone": alone,
         "events": tables.event_headings(verdict, language),
         "simulations": tables.simulations(verdict, language),
@@ -139,9 +137,15 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
 
 def _drawn(verdict: Verdict, result: OptionVerdict, language: str) -> dict[str, Any]:
     label, alone = title(result.option, verdict, language), verdict.scenario.alone
+    about = ""
+    if alone:
+        body, piece = verdict.scenario.piece.body(), named(verdict.scenario.piece.title, language)
+        width, height = (f"{100.0 * size:.3g}" for size in (body.width, body.height))
+        about = word("drawing_alt", language, piece=piece, width=width, height=height, label=label)
     return {
         "label": label,
-        "drawing": Markup(drawing_svg(verdict, result, language, label)) if alone else "",
+        "drawing": drawing(verdict, result, language) if alone else "",
+        "about_drawing": about,
         "stands": say(STABILITY[result.pieces[0].stability], language) if alone else "",
         "share": numbers.probability(result.probabilities[OVERTURNED], language),
         "interval": numbers.interval(result.probabilities[OVERTURNED], language),
@@ -253,3 +257,12 @@ def motion_told(verdict: Verdict, member: Member, run: Run, shown: tuple[float, 
 def curves_image(verdict: Verdict, language: str) -> str:
     """Return the curves of a verdict over JMA's intensity, or a floor's, as the address of an image."""
     return embedded(plot_options(verdict, JMA_INTENSITY, language=language), "svg")
+
+
+def drawing(verdict: Verdict, result: OptionVerdict, language: str) -> str:
+    """Return a drawing of a lone piece with measures, in the colour of how firmly it stands, as an image."""
+    held = hold(verdict.scenario.piece.body(), verdict.scenario.room.room(), result.option.measures)
+    figure = new_figure(2.6, 3.2)
+    draw_section(figure.subplots(), held, language, stands=result.pieces[0].stability)
+    with_fallback(figure)
+    return embedded(figure, "svg")

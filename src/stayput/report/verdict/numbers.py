@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from stayput.fragility.paired import Difference
     from stayput.model.room import Room
     from stayput.montecarlo.counting import Quantiles
-    from stayput.verification import Verdict
 
 
 NO_NUMBER = "–"
@@ -168,8 +167,3 @@ def word(key: str, language: str, **values: object) -> str:
     """
     module = "report" if f"report.{key}" in TEXTS else "common"
     return say(f"{module}.{key}", language, **values)
-
-
-def word_of(verdict: Verdict, key: str, language: str, **values: object) -> str:
-    """Return a text of the report that is another one of several pieces, from `stayput.catalogue.several`."""
-    return say(f"{'report' if verdict.scenario.alone else 'several'}.{key}", language, **values)

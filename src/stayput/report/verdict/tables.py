@@ -17,7 +17,7 @@ from stayput.report.names import place_named
 from stayput.report.summary import number
 from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import assumptions, told
-from stayput.report.verdict.numbers import NO_NUMBER, word, word_of
+from stayput.report.verdict.numbers import NO_NUMBER, word
 from stayput.simulation.placing import JOINT, JOINT_LABEL
 from stayput.verification.options import weakest
 from stayput.verification.words import length, reason, title
@@ -46,12 +46,12 @@ def verdict_markdown(verdict: Verdict, language: str = "en") -> str:
 
 def _lines(verdict: Verdict, language: str) -> Iterator[str]:
     """Yield the text in pieces of one or more lines."""
-    text, text_of = partial(word, language=language), partial(word_of, verdict, language=language)
+    text = partial(word, language=language)
     alone, rows = verdict.scenario.alone, ranking(verdict, language)
-    yield f"# {plain(verdict.scenario.title or text_of('report'))}"
+    yield f"# {plain(verdict.scenario.title or text('report'))}"
     yield f"\n**{plain(verdict.sentence(language))}**\n"
     if not alone:
-        yield f"{text_of('about')}\n"
+        yield f"{say('several.about', language)}\n"
     yield from (f"{plain(note)}\n" for note in verdict.notes(language))
     yield simulations(verdict, language)
     if verdict.motions == 1:
@@ -59,13 +59,13 @@ def _lines(verdict: Verdict, language: str) -> Iterator[str]:
     if not verdict.precise:
         yield f"\n{text('not_precise')}"
 
-    columns = [text("rank"), text_of("measure"), *event_headings(verdict, language)]
+    columns = [text("rank"), text("measure"), *event_headings(verdict, language)]
     if alone:
         contents = () if verdict.without.contents is None else (text("contents_out"),)
         capacities = (text("capacity", share=f"{100.0 * share:g}") for share in SHARES)
         columns += [*contents, text("slide_both"), *capacities, text("grade"), text("why")]
     else:
-        columns += [text_of("each"), text("slide_both"), text("why")]
+        columns += [say("several.each", language), text("slide_both"), text("why")]
     blank = (NO_NUMBER,) * (len(columns) - 4)
     impossible = [
         (NO_NUMBER, label, text("not_possible"), *blank, reason)
@@ -82,9 +82,9 @@ def _lines(verdict: Verdict, language: str) -> Iterator[str]:
         for each in device_rows(row.option, language)
     ]
     if devices:
-        holds, heading = ((), text("devices")) if alone else ((text_of("holds"),), text_of("details"))
-        columns = (text_of("measure"), *holds, *map(text, DEVICE_COLUMNS))
-        yield from _section(heading, *table(columns, devices))
+        holds = () if alone else (say("several.holds", language),)
+        columns = (text("measure"), *holds, *map(text, DEVICE_COLUMNS))
+        yield from _section(text("devices"), *table(columns, devices))
     if verdict.estimates is not None:
         columns = (text("formula"), text("says"), text("beside"))
         formulas = table(columns, estimate_rows(verdict, language))
@@ -228,7 +228,8 @@ def event_headings(verdict: Verdict, language: str) -> list[str]:
     """Return the headings of the columns of events."""
     limit = numbers.length(verdict.slide_limit, language)
     others = [word(event, language, limit=limit) for event in EVENTS if event != OVERTURNED]
-    return [word_of(verdict, OVERTURNED, language), *others]
+    overturned = say(f"{'report' if verdict.scenario.alone else 'several'}.overturned", language)
+    return [overturned, *others]
 
 
 def impossible_rows(verdict: Verdict, language: str) -> list[tuple[str, str]]:
@@ -293,7 +294,7 @@ def _device(device: DeviceSummary, label: Phrase, language: str) -> tuple[str, .
 def simulations(verdict: Verdict, language: str) -> str:
     """Return the number of simulations in words, and of the runs that were settled without one."""
     counts = {"runs": f"{verdict.runs:,}", "motions": verdict.motions, "samples": verdict.samples}
-    made = word_of(verdict, "simulations_text", language, **counts)
+    made = word("simulations_text", language, **counts)
     return made + word("settled_text", language, settled=f"{verdict.settled:,}") if verdict.settled else made
 
 
