@@ -86,6 +86,12 @@ def test_import_is_light() -> None:
     assert seconds - bare < 2.0
 
 
+def test_a_verdict_waits_for_nothing_that_it_does_not_need() -> None:
+    needless = {"xarray", "pandas", "matplotlib", "obspy", "fastapi"}
+    code = f"import sys, stayput; stayput.verify; print([m for m in {needless} if m in sys.modules])"
+    assert run_python("-c", code)[0].strip() == "[]"
+
+
 def test_the_module_of_measures_is_there_at_once_and_loads_when_it_is_used() -> None:
     code = "import sys, stayput as sp; a = 'stayput.measures' in sys.modules; print(a, sp.measures.Belt.kind)"
     assert run_python("-c", code)[0].split() == ["False", "belt"]

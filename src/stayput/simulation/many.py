@@ -8,7 +8,6 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, TypeAlias, TypedDict, Unpack
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from stayput.errors import InputError, instance_of, list_of, too_many, whole_within, word_of
@@ -29,6 +28,7 @@ from stayput.simulation.outcome import (
 )
 
 if TYPE_CHECKING:
+    import xarray as xr
     from stayput.motion.record import Motion
     from stayput.simulation.case import Case
 
@@ -73,6 +73,8 @@ def sweep_case(
 
 def _frame(grid: Grid, case: Case) -> xr.Dataset:
     """Return the dataset with its coordinates, and no data yet."""
+    import xarray as xr  # which takes its time to load
+
     coordinates = {
         path: (axis.name, np.asarray(labels), {"units": unit} if (unit := unit_of(path)) else {})
         for axis in grid.axes
