@@ -15,6 +15,7 @@ from stayput.cli import flags as flag
 from stayput.cli.messages import compiling, note, plain_table, print_json, tell_written, terminal
 from stayput.cli.streams import called, check_output, is_stream, to_output, write_text
 from stayput.errors import InputError, within
+from stayput.execution import thread_count
 from stayput.files import CSV_ENCODING, PLOT_SUFFIXES, check_animation
 from stayput.progress import bar, is_drawn
 
@@ -226,6 +227,7 @@ def _verified(
 ) -> Verdict:
     from stayput.verification import verify as compare
 
+    thread_count(threads)  # refused as what it is, not as the file's
     with scenario.naming_file(), compiling():
         options: dict[str, Any] = {} if over is None else {"intensity_measures": [over]}
         return compare(scenario, slide_limit=slide_limit, every_run=every_run, threads=threads, **options)

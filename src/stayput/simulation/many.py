@@ -29,6 +29,7 @@ from stayput.simulation.outcome import (
 
 if TYPE_CHECKING:
     import xarray as xr
+
     from stayput.motion.record import Motion
     from stayput.simulation.case import Case
 
