@@ -86,7 +86,7 @@ def test_curves_of_measures_with_any_names_are_written(tmp_path, names):
     assert [row.split(",")[0] for row in files[3].read_text().splitlines()[1:]] == ids
 
 
-@pytest.mark.parametrize("fails", ["_plot", "nrml_xml", "pelicun_csv"])
+@pytest.mark.parametrize("fails", ["plot_options", "nrml_xml", "pelicun_csv"])
 def test_curves_are_written_all_or_none(tmp_path, monkeypatch, fails):
     def broken(*_):
         raise InputError("It cannot be.")

@@ -48,7 +48,7 @@ def test_the_terminal_lists_the_changes_that_help_and_the_next_three(
             replace(verdict, options=((helping,) + (chance,) * others + (verdict.without,))), language
         )
         told = capsys.readouterr().out
-        listed = told[told.index(say("rooms.change", language)) :]
+        listed = told[told.index(say("room_report.changes", language)) :]
         assert (listed.count(label), listed.count(better)) == (shown, 1)
         assert listed.index(better) < listed.index(label)
         assert (say("rooms.more_changes", language, count=others - shown) in told) == (others > shown)
