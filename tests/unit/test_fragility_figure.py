@@ -30,8 +30,8 @@ def test_curves_and_what_has_none_are_drawn(tmp_path: Path) -> None:
     assert path.stat().st_size > 10_000
     (axis,) = figure.axes
     told = [text.get_text() for text in figure.legends[0].get_texts()]
-    assert told[0].startswith("bare: half fall at 5.6")
-    assert told[1] == "bracket: none fell; half fall at > 6.50"
+    assert told[0].startswith("bare (half fall: 5.6")
+    assert told[1] == "bracket: none fell (half fall: > 6.50)"
     assert told[2] == "this shaking: 6.25"
     assert len(axis.collections) >= 3  # a band, and bars of both
     assert {"5-upper", "6-lower", "6-upper"} <= {text.get_text() for text in axis.texts}

@@ -234,8 +234,10 @@ class Service:
         """
         job = self.jobs.get(name)
         verdict = job.verdict if job.state == "done" else None
-        if verdict is None or (of_room and verdict.scenario.plan is None):
+        if verdict is None:
             raise refused(409, "app.no_report_yet", state=job.state)
+        if of_room and verdict.scenario.plan is None:
+            raise refused(409, "app.of_no_room")
         if of_room is False and verdict.scenario.plan is not None:
             raise refused(409, "app.of_a_room")
         return job, verdict

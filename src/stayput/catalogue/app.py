@@ -52,6 +52,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Verifications
     "no_report_yet": ("The job is {state}; there is a report, or a plan of a room, once it is done.",
                       "報告書と「買う物とやること」（部屋だけ）は、計算が終わってから開いてください。"),
+    "of_no_room": ("The job is of no room; a plan is there for the verification of a room.",
+                   "部屋の計算ではありません。「買う物とやること」は部屋の検証で使えます。"),
     "of_a_room": ("The job is of a room; this is there for the verification of a single piece.",
                   "部屋の計算です。これは家具1点の検証で使えます。"),
     "another_room": (("before is another room than scene, in its {others}; it may differ in where pieces "

@@ -9,8 +9,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "no_bands": ("; one motion: no bands", "（地震動が1つのため帯なし）"),
     "isotonic": ("Lines: isotonic regression of the marks{alone}", "線：印の単調回帰{alone}"),
     "curve": ("curve", "曲線"),
-    "half": ("{name}: half fall at {half}", "{name}：半数が{half}で転倒"),
-    "half_state": ("{name}: {state}; half fall at {half}", "{name}：{state}、半数が{half}で転倒"),
+    "half": ("{name} (half fall: {half})", "{name}（半数が転倒：{half}）"),
+    "half_state": ("{name}: {state} (half fall: {half})", "{name}：{state}（半数が転倒：{half}）"),
     "per_cent": ("{value:.0f} %", "{value:.0f}%"),
     "probability": ("Probability of overturning", "転倒確率"),
     # Floors of a building.

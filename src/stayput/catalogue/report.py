@@ -10,9 +10,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     "instrumental": ("JMA intensity {class} (instrumental {value})", "{class}（計測震度 {value}）"),
     "simulations": ("Simulations", "計算回数"),
     "simulations_text": (("{runs} runs in all; motions × Monte Carlo samples: {motions} × {samples} for "
-                          "each measure and level"),
+                          "each measure, and for each level of the curves"),
                          ("合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、"
-                          "各対策・各レベルで計算しました。")),
+                          "各対策で（曲線では各レベルでも）計算しました。")),
     "settled_text": (("; {settled} more were not needed, since weaker or stronger shaking with the same draw "
                       "told the outcome"),
                      ("ほかの{settled}回は、同じ条件でのより弱い揺れ・強い揺れの結果から、"
@@ -81,12 +81,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "unsure": ("unsure", "不確実"),
     "interval": ("95 % interval", "95%区間"),
     "fragility": ("How strong may the shaking be?", "どの強さの揺れまで耐えるか"),
-    "fragility_text": (("Share that overturns against the intensity, without a measure and with the best "
-                        "ones. The marks are what was counted at each level; the lines join the nearest "
+    "fragility_text": (("Share that overturns against the intensity, without a measure and with the seven "
+                        "best ones. The marks are what was counted at each level, with 95 % intervals as "
+                        "bars, moved apart sideways to be seen; the lines join the nearest "
                         "rising shares (isotonic regression: no shape is assumed); the bands are 95 % "
                         "intervals, as with other motions of the same kind. Of more than three curves the "
-                        "first two have bands."),
-                       ("計測震度に対する転倒の割合です（対策なしと上位の対策）。印は各レベルで数えた割合、"
+                        "first two have bands and bars."),
+                       ("計測震度に対する転倒の割合です（対策なしと上位7つまでの対策）。印は各レベルで数えた割合、"
+                        "細い縦線はその95%区間（重ならないよう左右にずらしています）、"
                         "線は増加のみを仮定した当てはめ（単調回帰）、"
                         "帯は同じ種類の別の地震動も考えた95%区間です（曲線が4本以上なら最初の2本のみ）。")),
     "fragility_alt": (("Curves of the share that overturns over the intensity, one for each measure; the "

@@ -40,6 +40,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "holds": ("Holds", "取付け先"),
     "piece_box": ("{width:g} × {length:g} × {height:g} m, {mass:.4g} kg",
                   "{width:g} × {length:g} × {height:g} m、{mass:.4g} kg"),
+    "gap_text": ("{gap:.3g} cm from the piece nearest to it", "最も近い家具から {gap:.3g} cm"),
     "between": ("Friction between the pieces", "家具どうしの摩擦"),
     "drawn_between": ("Friction between pieces, strength of joints", "家具どうしの摩擦と接合部の強さ"),
     "drawn_between_text": (("drawn by themselves, like friction and the strength of devices; masses, "

@@ -62,9 +62,9 @@ def _print_options(verdict: Verdict, lang: str) -> None:
         out = () if row.contents is None else (numbers.probability(row.contents, lang),)
         slide = text("brief_falls") if math.isinf(result.slide.median) else row.slide[0]
         label = title(result.option, verdict, lang)
+        falls = f"{falls} ({row.grade})"  # the grade of its inputs stands beside the number itself
         if alone:
             last = [numbers.capacity(result.capacities.get(share), lang, brief=True) for share in SHARES]
-            falls = f"{falls} ({row.grade})"  # the grade of its inputs stands beside the number itself
             if ends := numbers.interval(result.probabilities[OVERTURNED], lang):
                 label = with_aside(label, ends, lang)
         else:
@@ -87,9 +87,9 @@ def _print_options(verdict: Verdict, lang: str) -> None:
     console.print(_ranked(headings, rows, console, len(SHARES) if alone else 0))
     if alone:
         paragraph(text("brief_text", intensity=jma.names))
-        paragraph(grades_text(lang))
     else:
         paragraph(say("several.brief_text", lang))
+    paragraph(grades_text(lang))
     for line in (*reasons, *verdict.notes(lang)):
         console.print(line, soft_wrap=True)
     if verdict.motions == 1:

@@ -15,7 +15,7 @@ from stayput.errors import InputError, unknown, within
 from stayput.fragility.intensity_measures import JMA_INTENSITY, PERIODS, PGA, PGV, spectral_acceleration
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.ground_shaking import MERCALLI_SCATTER
-from stayput.motion.intensity import mercalli_rise, pgv_of_mercalli
+from stayput.motion.intensity import INTENSITY_RANGE, mercalli_rise, pgv_of_mercalli
 from stayput.motion.response import DAMPING
 from stayput.motion.units import unit_factor
 
@@ -248,7 +248,7 @@ def field_of_grid(name: str, unit: str) -> MapField | None:
 def _field(name: str, kind: str, unit: str, period: float = 0.0) -> MapField:
     """Return a field of an intensity, a peak or a spectral acceleration, whose numbers have a unit."""
     if kind == "intensity":
-        return MapField(name, JMA_INTENSITY, 1.0, -3.0, 9.0, "")
+        return MapField(name, JMA_INTENSITY, 1.0, *INTENSITY_RANGE, "")
     if kind == "mmi":
         return MapField(name, PGV, 1.0, 0.0, MERCALLI[1], "", mercalli=True)
     known = ("cm/s", "m/s") if kind == "pgv" else ("%g", "g", "gal", "cm/s²", "m/s²")

@@ -31,12 +31,15 @@ class Quantiles:
 
     @classmethod
     def of(cls, peaks: NDArray[np.float64], overturned: NDArray[np.bool_]) -> Quantiles:
-        """Return the quantiles of peaks, those of bodies that overturn counted as infinite."""
+        """Return the quantiles of peaks, those of bodies that overturn counted as infinite.
+
+        The 90 % quantile is the least peak that nine in ten of the runs do not exceed.
+        """
         values = np.sort(np.where(overturned, np.inf, peaks).ravel())
         if values.size == 0:
             return cls(np.nan, np.nan)
-        last = len(values) - 1
-        return cls(float(values[round(0.5 * last)]), float(values[round(0.9 * last)]))
+        n = len(values)
+        return cls(float(values[round(0.5 * (n - 1))]), float(values[(9 * n + 9) // 10 - 1]))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

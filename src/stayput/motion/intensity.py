@@ -29,6 +29,9 @@ if TYPE_CHECKING:
 EXCEEDED = 0.3
 """Time in all for which the level that counts is reached [s]."""
 
+INTENSITY_RANGE = -3.0, 9.0
+"""Ends of what is accepted as an instrumental intensity."""
+
 CLASSES = (
     ("0", -math.inf),
     ("1", 0.5),

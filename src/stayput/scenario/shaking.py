@@ -22,7 +22,7 @@ from stayput.motion.ground_shaking import (
     strength_of_pgv,
     strength_of_sa,
 )
-from stayput.motion.intensity import CLASSES, intensity_of_class
+from stayput.motion.intensity import CLASSES, INTENSITY_RANGE, intensity_of_class
 from stayput.motion.readers import read_shaking, read_vertical
 from stayput.motion.readers.columns import MOST_SKIPPED, OPTIONS, ReadingOptions, chosen_columns
 from stayput.motion.record import Motion
@@ -68,7 +68,8 @@ FamilyName = Annotated[str, fields.one_of(FAMILY_NAMES), fields.named(FAMILY_NAM
 
 
 Intensity = Annotated[
-    Annotated[float, fields.between(-3.0, 9.0), Tag(fields.NUMBER)] | Annotated[ClassName, Tag(fields.NAME)],
+    Annotated[float, fields.between(*INTENSITY_RANGE), Tag(fields.NUMBER)]
+    | Annotated[ClassName, Tag(fields.NAME)],
     Discriminator(fields.name_or_number),
 ]
 

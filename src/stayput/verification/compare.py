@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from stayput.errors import InputError, not_allowed, numbers
+from stayput.errors import InputError, not_allowed, numbers, within
 from stayput.fragility.curve import FragilityCurve, fragility_curve
 from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY, IntensityMeasure
 from stayput.fragility.paired import Difference, difference
@@ -23,6 +23,7 @@ from stayput.mechanics.devices.columns import HOLDS
 from stayput.montecarlo.counting import Outcomes, Quantiles, severity, worst_of
 from stayput.montecarlo.hazard import FloorMotions, Hazard
 from stayput.montecarlo.sampling import FIRST_SAMPLES, Settings, sample_until_precise
+from stayput.motion.intensity import INTENSITY_RANGE
 from stayput.progress import tally
 from stayput.simulation.placing import JOINT
 from stayput.verification.contents import ContentsVerdict, contents_verdicts
@@ -173,6 +174,8 @@ def _levels(
     rows = numbers("fragility.level", levels, "levels")
     if rows.ndim != 1:
         raise not_allowed("fragility.level", repr(levels), "common.list", "levels")
+    for level in rows.tolist():
+        within("fragility.level", level, *INTENSITY_RANGE, "", "levels")
     if np.any(np.diff(rows) <= 0.0):
         raise InputError("verification.levels_not_increasing", "levels")
     return rows

@@ -189,6 +189,8 @@ def shaken_notes(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
     if verdict.floor:
         yield phrase("verification.of_a_floor", floor=floor_phrase(verdict.floor))
     if not verdict.scenario.alone:
+        if verdict.scenario.plan is None:
+            yield _grade(graded, verdict)
         return
     yield from _estimate(verdict)
     yield from _field(verdict)

@@ -351,7 +351,8 @@ class Verdict(InJson):
         from stayput.verification.room_words import sentence_of_room
         from stayput.verification.words import headline
 
-        return (headline if self.scenario.plan is None else sentence_of_room)(self, language)
+        sentence = headline if self.scenario.plan is None else sentence_of_room
+        return sentence(self, check_language(language))
 
     def label(self, option: OptionVerdict, language: str = "en") -> str:
         """Return what an option consists of, in "en" or "ja": "Belts on the bookcase"."""
@@ -359,8 +360,8 @@ class Verdict(InJson):
         from stayput.verification.words import title
 
         if self.scenario.plan is None:
-            return title(option.option, self, language)
-        return option_label(option, self, language)
+            return title(option.option, self, check_language(language))
+        return option_label(option, self, check_language(language))
 
     def reason(self, option: OptionVerdict, language: str = "en") -> str:
         """Return why an option stands where it does, in one plain sentence, in "en" or "ja"."""
@@ -368,8 +369,8 @@ class Verdict(InJson):
         from stayput.verification.words import reason
 
         if self.scenario.plan is None or option.change is None:
-            return reason(option, self, language)
-        return change_sentence(option, self, language)
+            return reason(option, self, check_language(language))
+        return change_sentence(option, self, check_language(language))
 
     def grade(self, option: OptionVerdict) -> Grade:
         """Return the grade of an option: that of its weakest input; see `stayput.verification.options`."""
@@ -382,7 +383,7 @@ class Verdict(InJson):
         from stayput.catalogue import say
         from stayput.verification.notes import notes
 
-        return tuple(say(note, language) for note in notes(self))
+        return tuple(say(note, check_language(language)) for note in notes(self))
 
     def to_json(self) -> str:
         """Return the verdict as JSON; keys carry their units."""
@@ -395,7 +396,8 @@ class Verdict(InJson):
         from stayput.report.room.report import room_markdown
         from stayput.report.verdict.tables import verdict_markdown
 
-        return (verdict_markdown if self.scenario.plan is None else room_markdown)(self, language)
+        written = verdict_markdown if self.scenario.plan is None else room_markdown
+        return written(self, check_language(language))
 
     def to_csv(self) -> str:
         """Return the ranking as CSV, or of a room all probabilities."""

@@ -207,6 +207,7 @@ def room_markdown(verdict: Verdict, language: str = "en") -> str:
         if each.rows:
             rows = (tuple(cell.text(language) for cell in row) for row in each.rows)
             lines += ["", *tables.table(each.columns, rows)]
+    lines += tables.rests_on(verdict, language)
     lines += [f"\n{simulations_of_room(verdict, language)}", f"\nstayput {stayput.__version__}"]
     return "\n".join(lines) + "\n"
 
@@ -265,6 +266,10 @@ def room_html(verdict: Verdict, language: str = "en") -> str:
 
 
 def _risk(people: People) -> Probability:
-    """Return the chance that somebody is hit, counting how long people are at their places."""
-    hit = people.hit.chance
-    return hit.scaled(people.risk / hit.estimate if hit.estimate else 1.0)
+    """Return the chance that somebody is hit, counting how long people are at their places.
+
+    Where nobody was hit in any run, its end is that of the place where somebody is longest.
+    """
+    hit, night = people.hit.chance, 24.0 - DAY_HOURS
+    there = ((DAY_HOURS * p.place.day + night * p.place.night) / 24.0 for p in people.places)
+    return hit.scaled(people.risk / hit.estimate if hit.estimate else max(there, default=1.0))

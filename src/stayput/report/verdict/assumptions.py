@@ -143,7 +143,8 @@ def _room(scenario: Scenario, measures: Sequence[Measure], *, gaps: bool) -> Ite
         ("far_side_wall", room.far_side_wall),
     ):
         if gaps and wall is not None:
-            yield Assumption(_text(key), _text("gap_text", gap=100.0 * wall.gap), GIVEN)
+            text = f"{'report' if scenario.alone else 'several'}.gap_text"
+            yield Assumption(_text(key), phrase(text, gap=100.0 * wall.gap), GIVEN)
     if room.left_wall is not None and any(isinstance(measure, WallDevice) for measure in measures):
         yield _fixed_to("wall_fixing", room.left_wall)
     if room.ceiling is not None:

@@ -125,7 +125,7 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
         "headline": verdict.sentence(language),
         "shares": [f"{100.0 * share:g}" for share in tables.SHARES] if alone else [],
         "notes": verdict.notes(language),
-        "grades": tables.grades_text(language) if alone else "",
+        "grades": tables.grades_text(language),
         "rows": tables.ranking(verdict, language),
         "drawn": [_drawn(verdict, result, language) for result in drawn],
         "curves": curves_image(verdict, language) if verdict.best.curves else "",
@@ -149,8 +149,8 @@ def _drawn(verdict: Verdict, result: OptionVerdict, language: str) -> dict[str, 
         "stands": say(STABILITY[result.pieces[0].stability], language) if alone else "",
         "share": numbers.probability(result.probabilities[OVERTURNED], language),
         "interval": numbers.interval(result.probabilities[OVERTURNED], language),
-        "grade": verdict.grade(result).value if alone else "",
-        "weakest": tables.weakest_inputs(result, verdict, language) if alone else "",
+        "grade": verdict.grade(result).value,
+        "weakest": tables.weakest_inputs(result, verdict, language),
     }
 
 

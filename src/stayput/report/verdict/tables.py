@@ -63,9 +63,10 @@ def _lines(verdict: Verdict, language: str) -> Iterator[str]:
     if alone:
         contents = () if verdict.without.contents is None else (text("contents_out"),)
         capacities = (text("capacity", share=f"{100.0 * share:g}") for share in SHARES)
-        columns += [*contents, text("slide_both"), *capacities, text("grade"), text("why")]
+        columns += [*contents, text("slide_both"), *capacities]
     else:
-        columns += [say("several.each", language), text("slide_both"), text("why")]
+        columns += [say("several.each", language), text("slide_both")]
+    columns += [text("grade"), text("why")]
     blank = (NO_NUMBER,) * (len(columns) - 4)
     impossible = [
         (NO_NUMBER, label, text("not_possible"), *blank, reason)
@@ -73,8 +74,7 @@ def _lines(verdict: Verdict, language: str) -> Iterator[str]:
     ]
     ranked = [_cells(row, alone, language) for row in rows]
     yield from _section(text("ranking"), *table(columns, [*ranked, *impossible]))
-    if alone:
-        yield f"\n{plain(grades_text(language))}"
+    yield f"\n{plain(grades_text(language))}"
 
     devices = [
         (title(row.option.option, verdict, language), *each)
@@ -89,14 +89,18 @@ def _lines(verdict: Verdict, language: str) -> Iterator[str]:
         columns = (text("formula"), text("says"), text("beside"))
         formulas = table(columns, estimate_rows(verdict, language))
         yield from _section(text("estimates"), f"{text('estimates_text')}\n", *formulas)
-    columns = (text("assumption"), text("value"), text("confidence"))
-    rests_on = (
-        (what, value, text(confidence)) for what, value, confidence in told(assumptions(verdict), language)
-    )
-    yield from _section(text("assumptions"), *table(columns, rests_on))
+    yield from rests_on(verdict, language)
     yield from _section(text("again"), text("again_text", file="scenario.toml", version=stayput.__version__))
     yield f"\n```toml\n{verdict.scenario.to_toml().rstrip()}\n```\n"
     yield text("caution")
+
+
+def rests_on(verdict: Verdict, language: str) -> Iterator[str]:
+    """Yield the lines of a verdict's assumptions."""
+    columns = (word(key, language) for key in ("assumption", "value", "confidence"))
+    listed = told(assumptions(verdict), language)
+    rows = ((what, value, word(confidence, language)) for what, value, confidence in listed)
+    yield from _section(word("assumptions", language), *table([*columns], rows))
 
 
 def _section(heading: str, *lines: str) -> tuple[str, ...]:
@@ -113,9 +117,8 @@ def _cells(row: RankingRow, alone: bool, language: str) -> tuple[str, ...]:
     pieces = [f"{name} {say(chance.texts, language)}" for name, chance in row.pieces]
     each = () if alone else (listed.join(pieces),)
     capacities = (with_aside(middle, ends, language) if ends else middle for middle, ends in row.capacities)
-    grade = (row.grade,) if alone else ()
     head = str(row.option.rank), label, *shares
-    return *head, *contents, *each, listed.join(row.slide), *capacities, *grade, row.reason
+    return *head, *contents, *each, listed.join(row.slide), *capacities, row.grade, row.reason
 
 
 def table(heading: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str]:
@@ -129,7 +132,7 @@ def table(heading: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str
 def plain(text: str) -> str:
     """Return a text in which no character means something to Markdown or HTML, on one line."""
     one_line = " ".join(text.split())
-    return re.sub(r"([\\`*_\[\]<>|#~])", r"\\\1", one_line)
+    return re.sub(r"([\\`*_\[\]<>|#~&])", r"\\\1", one_line)
 
 
 SHARES = (0.1, 0.5)
@@ -163,7 +166,7 @@ class RankingRow(NamedTuple):
     capacities : tuple of (str, str)
         Intensity at which each of `SHARES` overturns, and its interval; of one piece.
     grade, weakest : str
-        Grade of its weakest inputs, and these inputs; of one piece.
+        Grade of its weakest inputs, and these inputs.
     contents : Probability, optional
         Share of the contents that comes out; none where nothing is said of contents.
     pieces : tuple of (str, Probability)
@@ -199,17 +202,16 @@ def ranking(verdict: Verdict, language: str) -> list[RankingRow]:
     for result in verdict.options:
         option = result.option
         name = option.name if option.own_name else ""
-        each: dict[str, Any] = {}
+        each: dict[str, Any] = {
+            "grade": verdict.grade(result).value,
+            "weakest": weakest_inputs(result, verdict, language),
+        }
         if scenario.alone:
             label = say(option.label(), language)
             each["capacities"] = tuple(
                 (numbers.capacity(reached, language), numbers.capacity_interval(reached, language))
                 for reached in map(result.capacities.get, SHARES)
             )
-            each |= {
-                "grade": verdict.grade(result).value,
-                "weakest": weakest_inputs(result, verdict, language),
-            }
             each["contents"] = None if result.contents is None else result.contents.out
         else:
             label, name = title(option, verdict, language), name or say(option.label(), language)
@@ -333,12 +335,9 @@ def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
         record |= {**_ends(key, capacity), f"{key}_text": None if capacity is None else capacity.text}
     if result.contents is not None:
         record |= contents_data(result.contents)
+    record |= {"grade": verdict.grade(result).value, "weakest_inputs": weakest_inputs(result, verdict, "en")}
     if alone:
-        record |= {
-            "grade": verdict.grade(result).value,
-            "weakest_inputs": weakest_inputs(result, verdict, "en"),
-            "overturned_as_installed": result.installed and number(result.installed.usual[OVERTURNED]),
-        }
+        record["overturned_as_installed"] = result.installed and number(result.installed.usual[OVERTURNED])
     return {**record, "not_possible": None}
 
 
