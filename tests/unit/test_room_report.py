@@ -4,6 +4,7 @@ import html
 import math
 import re
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
@@ -244,6 +245,15 @@ def test_it_says_of_each_change_whether_it_clearly_helps_or_makes_something_wors
     assert changes.rows[2][0].text("en").endswith("(clearly more hit)")
 
 
+def test_where_nobody_was_hit_the_hours_count_too():
+    """Nobody can be hit more often than somebody is there."""
+    verdict = with_people(made(), hit=Outlook(NEVER, None), risk=0.0)
+    text = room_html(verdict)
+    (share,) = re.findall(r"counting the hours[^<]*</dt><dd><span[^>]*>([^<]*)", text)
+    there = max((16.0 * one.place.day + 8.0 * one.place.night) / 24.0 for one in people_in(verdict).places)
+    assert share.replace("\u00a0", " ") == numbers.probability(NEVER.scaled(there), "en").replace("<", "&lt;")
+
+
 def test_it_needs_nothing_else_and_can_be_read_without_seeing_it(page):
     _, language, text = page
     check_alone(text)
@@ -314,6 +324,9 @@ def test_it_is_written_whole_and_refuses_other_names(tmp_path):
         write_room_report(verdict, tmp_path / "room.pdf")
     with pytest.raises(InputError):
         write_room_report(verdict, tmp_path / "room.html", "fr")
+    for told in (verdict.sentence, verdict.notes, verdict.to_markdown, partial(verdict.label, verdict.best)):
+        with pytest.raises(InputError, match="one of 'en', 'ja'"):
+            told("fr")
 
 
 # The plan

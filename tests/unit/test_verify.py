@@ -224,6 +224,8 @@ def test_what_cannot_be_verified():
         sp.verify(sp.Case(sp.Body(0.3, 1.8, 60.0), sp.Room(), sp.near_fault(), "paper"))
     with pytest.raises(sp.InputError, match="not increasing"):
         verify(scenario(), levels=[6.0, 5.0])
+    with pytest.raises(sp.InputError, match="is 700; it must be between -3 and 9"):
+        verify(scenario(), levels=[6.0, 700.0])
     with pytest.raises(sp.InputError):
         verify(scenario(room={"floor": "carpet"}, measures=[{"type": "tension_pole"}]), levels=())
 
@@ -255,6 +257,8 @@ def test_quantiles_count_a_fall_as_infinite():
     peaks, fell = np.array([[0.1, 0.2, 0.3, 9.0]]), np.array([[False, False, False, True]])
     assert Quantiles.of(peaks, fell) == Quantiles(0.3, math.inf)
     assert Quantiles.of(peaks, np.zeros((1, 4), bool)).p90 == 9.0
+    few = np.arange(1.0, 9.0)  # nine in ten of eight are all of them
+    assert Quantiles.of(few, np.zeros(8, bool)).p90 == 8.0
 
 
 def test_the_typical_run_is_in_the_middle_and_the_worst_at_the_end():

@@ -383,7 +383,8 @@ class Verdict(InJson):
         from stayput.catalogue import say
         from stayput.verification.notes import notes
 
-        return tuple(say(note, check_language(language)) for note in notes(self))
+        check_language(language)
+        return tuple(say(note, language) for note in notes(self))
 
     def to_json(self) -> str:
         """Return the verdict as JSON; keys carry their units."""
