@@ -24,7 +24,7 @@ import stayput.compiling as compiled
 from stayput.compiling import machine_code
 from stayput.compiling.machine_code import MachineCode
 from stayput.mechanics.flat import block_extremes
-from stayput.motion.response import peak_responses
+from stayput.motion.oscillator import peak_responses
 
 CALLER = """
 import numpy as np

@@ -1,14 +1,16 @@
-"""The single changes of a room in the files that are kept, and on the terminal."""
+"""The single changes of a room in the files that are kept, on the terminal, and in its tables."""
 
 import csv
 import io
 from dataclasses import replace
 
 import pytest
-from test_room_report import made
+from test_room_report import made, shares
 
 from stayput.catalogue import say
 from stayput.cli.verdicts import print_verdict
+from stayput.fragility.paired import difference
+from stayput.report.room.report import sections
 from stayput.verification.room_words import piece_changed
 
 
@@ -52,3 +54,15 @@ def test_the_terminal_lists_the_changes_that_help_and_the_next_three(
         assert (listed.count(label), listed.count(better)) == (shown, 1)
         assert listed.index(better) < listed.index(label)
         assert (say("rooms.more_changes", language, count=others - shown) in told) == (others > shown)
+
+
+def test_it_says_of_each_change_whether_it_clearly_helps_or_makes_something_worse():
+    verdict = made()
+    first = verdict.others[0]
+    hit = first.people.hit._replace(change=difference(shares(0.9, 1), shares(0.1, 2)))
+    worse = replace(first, people=replace(first.people, hit=hit))
+    both = replace(verdict, options=(*verdict.options, worse))
+    (changes,) = (one for one in sections(both, both.others, "en") if one.key == "changes")
+    assert [row[0].value for row in changes.rows] == [both.label(one, "en") for one in both.others]
+    assert [row[0].tag for row in changes.rows] == ["model", "high", "low"]
+    assert changes.rows[2][0].text("en").endswith("(clearly more hit)")

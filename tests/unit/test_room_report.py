@@ -233,18 +233,6 @@ def test_the_tables_hold_the_numbers_of_their_rows():
     assert pieces[0][3] == ("2.1 cm", "90 %: 4.3 cm")
 
 
-def test_it_says_of_each_change_whether_it_clearly_helps_or_makes_something_worse():
-    verdict = made()
-    first = verdict.others[0]
-    hit = first.people.hit._replace(change=difference(shares(0.9, 1), shares(0.1, 2)))
-    worse = replace(first, people=replace(first.people, hit=hit))
-    both = replace(verdict, options=(*verdict.options, worse))
-    (changes,) = (one for one in sections(both, both.others, "en") if one.key == "changes")
-    assert [row[0].value for row in changes.rows] == [both.label(one, "en") for one in both.others]
-    assert [row[0].tag for row in changes.rows] == ["model", "high", "low"]
-    assert changes.rows[2][0].text("en").endswith("(clearly more hit)")
-
-
 def test_where_nobody_was_hit_the_hours_count_too():
     """Nobody can be hit more often than somebody is there."""
     verdict = with_people(made(), hit=Outlook(NEVER, None), risk=0.0)

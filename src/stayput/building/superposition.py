@@ -5,7 +5,7 @@
     q̈ⱼ + 2ζⱼωⱼ q̇ⱼ + ωⱼ² qⱼ = −Γⱼ a(t),    u = Σⱼ φⱼ qⱼ
 
 and a is linear between its samples, so the step from (q, q̇) at one sample to the next is known exactly
-(`stayput.motion.response`). It is exact for any step: nothing can become unstable, and no mode is too fast.
+(`stayput.motion.oscillator`). It is exact for any step: nothing can become unstable, and no mode is too fast.
 The absolute acceleration of the floors is ü + a = −Σⱼ φⱼ (2ζⱼωⱼ q̇ⱼ + ωⱼ² qⱼ), because Σⱼ φⱼ Γⱼ = 1. Every
 mode is kept, and every sum is taken in the order of the modes, so that the bits never change.
 
@@ -33,8 +33,8 @@ from numpy.typing import NDArray
 from stayput.building.model import ShearModel, parts_of_step
 from stayput.compiling import entry, inline, inner
 from stayput.errors import InputError
+from stayput.motion.oscillator import step_coefficients
 from stayput.motion.processing import peak_velocity, refine
-from stayput.motion.response import step_coefficients
 
 STEP_ROWS = 10
 """Rows of a step's coefficients: those of `step_coefficients`, then 2ζω and ω²."""

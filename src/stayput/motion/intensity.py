@@ -162,7 +162,7 @@ def long_period_response(x: NDArray[np.float64], y: NDArray[np.float64] | None, 
     dt : float
         Time step [s].
     """
-    from stayput.motion.response import horizontal_velocities  # Numba takes its time to load
+    from stayput.motion.oscillator import horizontal_velocities  # Numba takes its time to load
 
     # The compiled function takes writable arrays alone; a motion's cannot be written to.
     across = np.zeros(len(x)) if y is None else y.copy()

@@ -205,6 +205,14 @@ def new_figure(width: float, height: float, title: str = "") -> Figure:
     return figure
 
 
+def figure_of(draw: Callable[[Axes], None], width: float, height: float) -> Figure:
+    """Return a figure of a size in inches with one drawing, whose letters all have a font."""
+    figure = new_figure(width, height)
+    draw(figure.subplots())
+    with_fallback(figure)
+    return figure
+
+
 def label_axes(axis: Axes, language: str, x: str = "", y: str = "", **values: object) -> None:
     """Label an axis along x, y or both, by the ids of the texts and the values in them."""
     if x:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import say
@@ -12,7 +12,7 @@ from stayput.errors import InputError
 from stayput.model.room import Room
 from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS
 from stayput.report.building import draw_modes
-from stayput.report.figures import embedded, new_figure, with_fallback
+from stayput.report.figures import embedded, figure_of
 from stayput.report.fragility import draw_curve, draw_ranking
 from stayput.report.names import motion_label
 from stayput.report.plot import plot_motion, plot_run
@@ -22,7 +22,6 @@ from stayput.report.summary import rows, sentence
 from stayput.report.verdict.numbers import NO_NUMBER, length, word
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from stayput.building.building import Building
@@ -45,7 +44,7 @@ def run_html(run: Run) -> str:
 
 def verdict_html(verdict: Verdict) -> str:
     """Return a verdict as its sentence, the chances of its options, and their ranking."""
-    figure = _drawn(lambda axis: draw_ranking(axis, verdict, "en"), 8.4, 1.2 + 0.42 * len(verdict.options))
+    figure = figure_of(lambda axis: draw_ranking(axis, verdict, "en"), 8.4, 1.2 + 0.42 * len(verdict.options))
     events = [event for event in EVENTS if event in verdict.best.probabilities]
     limit = length(verdict.slide_limit, "en")
     heads = [word(key, "en", limit=limit) for key in ("rank", "measure", *events, "why")]
@@ -72,7 +71,7 @@ def curve_html(curve: FragilityCurve) -> str:
     ]
     if curve.lognormal is not None:
         table.append((say("notebook.lognormal"), curve.lognormal.text))
-    return _shown(curve.text, _drawn(lambda axis: draw_curve(axis, curve, "en"), 7.0, 4.4), table)
+    return _shown(curve.text, figure_of(lambda axis: draw_curve(axis, curve, "en"), 7.0, 4.4), table)
 
 
 def motion_html(motion: Motion) -> str:
@@ -94,13 +93,13 @@ def motion_html(motion: Motion) -> str:
 
 def spectrum_html(spectrum: ResponseSpectrum) -> str:
     """Return a response spectrum as the picture of its Sa."""
-    figure = _drawn(lambda axis: draw_spectrum(axis, spectrum, "sa", "en"), 6.4, 4.2)
+    figure = figure_of(lambda axis: draw_spectrum(axis, spectrum, "sa", "en"), 6.4, 4.2)
     return _shown(repr(spectrum), figure, ())
 
 
 def suite_html(suite: Suite) -> str:
     """Return a suite as its spectra and a list of its first motions."""
-    figure = _drawn(lambda axis: draw_suite(axis, suite, "spectra", None, "x", "en"), 6.8, 4.6)
+    figure = figure_of(lambda axis: draw_suite(axis, suite, "spectra", None, "x", "en"), 6.8, 4.6)
     keys = ("name", "pga", "pgv", "intensity", "duration")
     table = [
         (
@@ -120,7 +119,7 @@ def suite_html(suite: Suite) -> str:
 def building_html(building: Building) -> str:
     """Return a building as its mode shapes and what is known or assumed of it."""
     model = building.model
-    figure = _drawn(lambda axis: draw_modes(axis, model, 3, "en"), 5.2, 4.6)
+    figure = figure_of(lambda axis: draw_modes(axis, model, 3, "en"), 5.2, 4.6)
     periods = ", ".join(f"{period:.3g}" for period in model.periods[:3])
     table = [
         (say("notebook.structure"), building.structure),
@@ -133,7 +132,7 @@ def building_html(building: Building) -> str:
 
 def body_html(body: Body) -> str:
     """Return a body as a drawing and the quantities of the rocking literature about its base corners."""
-    figure = _drawn(lambda axis: draw_body_in_room(axis, body, Room(), "en"), 5.6, 4.6)
+    figure = figure_of(lambda axis: draw_body_in_room(axis, body, Room(), "en"), 5.6, 4.6)
     table: list[Sequence[str]] = [
         (say("notebook.size"), *(f"{value:.4g}" for value in body.size)),
         (say("notebook.slenderness"), *(f"{value:.4g}" for value in body.slenderness)),
@@ -145,7 +144,7 @@ def body_html(body: Body) -> str:
 
 def room_html(room: Room) -> str:
     """Return a room as a drawing with a piece of usual size in it."""
-    figure = _drawn(lambda axis: draw_body_in_room(axis, None, room, "en"), 5.6, 4.6)
+    figure = figure_of(lambda axis: draw_body_in_room(axis, None, room, "en"), 5.6, 4.6)
     table = [(say("notebook.friction"), f"{room.floor.static_friction:g}, {room.floor.kinetic_friction:g}")]
     return _shown(repr(room), figure, table)
 
@@ -157,13 +156,6 @@ def _intensity(motion: Motion) -> str:
     except InputError:
         return ""
     return f"{intensity:.2f}" if math.isfinite(intensity) else ""
-
-
-def _drawn(draw: Callable[[Axes], None], width: float, height: float) -> Figure:
-    figure = new_figure(width, height)
-    draw(figure.subplots())
-    with_fallback(figure)
-    return figure
 
 
 def _shown(said: str, figure: Figure, table: Iterable[Sequence[str]], heads: Sequence[str] = ()) -> str:

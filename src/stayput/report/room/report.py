@@ -15,12 +15,11 @@ from stayput.montecarlo.counting import OVERTURNED, SLID
 from stayput.report.page import rendered, write_page
 from stayput.report.room.plan import change_plan, legend, room_plan
 from stayput.report.verdict import numbers, tables
-from stayput.report.verdict.assumptions import assumptions
 from stayput.report.verdict.html import shared_content
 from stayput.simulation.space_fate import FALLS_FROM, MAY_FALL_FROM
 from stayput.verification import room_words
 from stayput.verification.events import PASSAGE
-from stayput.verification.people import DAY_HOURS, HitVerdict, People
+from stayput.verification.people import DAY_HOURS, HitVerdict, People, presence
 from stayput.wording import with_aside
 
 if TYPE_CHECKING:
@@ -248,7 +247,7 @@ def room_html(verdict: Verdict, language: str = "en") -> str:
     moved = change_plan(verdict, language)
     kind = say("rooms.report", language)
     content = {
-        **shared_content(verdict, "room_report", kind, SHEETS, assumptions(verdict), language),
+        **shared_content(verdict, "room_report", kind, SHEETS, language),
         "people": people,
         "headline": headline,
         "risk": _risk(people),
@@ -270,6 +269,5 @@ def _risk(people: People) -> Probability:
 
     Where nobody was hit in any run, its end is that of the place where somebody is longest.
     """
-    hit, night = people.hit.chance, 24.0 - DAY_HOURS
-    there = ((DAY_HOURS * p.place.day + night * p.place.night) / 24.0 for p in people.places)
+    hit, there = people.hit.chance, (presence(place.place) for place in people.places)
     return hit.scaled(people.risk / hit.estimate if hit.estimate else max(there, default=1.0))

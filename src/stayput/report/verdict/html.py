@@ -14,7 +14,7 @@ from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures import Measure, hold, parameters
 from stayput.montecarlo.counting import OVERTURNED, Member
 from stayput.report.animation import film_of, player_page
-from stayput.report.figures import drawable, embedded, new_figure, with_fallback
+from stayput.report.figures import drawable, embedded, figure_of
 from stayput.report.fragility import plot_options
 from stayput.report.history import peak_told, window_of
 from stayput.report.names import motion_label, named
@@ -23,7 +23,7 @@ from stayput.report.plot import plot_run
 from stayput.report.section import draw_section
 from stayput.report.summary import sentences_of_piece
 from stayput.report.verdict import numbers, tables
-from stayput.report.verdict.assumptions import Assumption, assumptions, told
+from stayput.report.verdict.assumptions import assumptions, told
 from stayput.report.verdict.numbers import word
 from stayput.verification.contest import drawn_run
 from stayput.verification.words import class_label, title
@@ -67,12 +67,7 @@ def report_html(verdict: Verdict, language: str = "en") -> str:
 
 
 def shared_content(
-    verdict: Verdict,
-    texts: str,
-    kind: str,
-    sheets: Iterable[str],
-    rests_on: Iterable[Assumption],
-    language: str,
+    verdict: Verdict, texts: str, kind: str, sheets: Iterable[str], language: str
 ) -> dict[str, Any]:
     """Return what the reports of all verdicts show.
 
@@ -86,8 +81,6 @@ def shared_content(
         What the report is called, where the scenario has no title.
     sheets : iterable of str
         Style sheets; see `stayput.report.page.framed`.
-    rests_on : iterable of Assumption
-        The assumptions.
     language : str
         "en" or "ja".
     """
@@ -99,8 +92,7 @@ def shared_content(
         "verdict": verdict,
         "kind": kind,
         "strength": word("instrumental", language, **shaking, value=f"{verdict.intensity:.2f}"),
-        "limit": numbers.length(verdict.slide_limit, language),
-        "assumptions": told(rests_on, language),
+        "assumptions": told(assumptions(verdict), language),
         "toml": verdict.scenario.to_toml(),
     }
 
@@ -114,7 +106,7 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
     drawn = [verdict.without, *[verdict.best] * bool(verdict.best.option.count)] if alone else []
     sheets, texts = ["verdict/report.css"], "report" if alone else "several"
     return {
-        **shared_content(verdict, texts, text("report"), sheets, assumptions(verdict), language),
+        **shared_content(verdict, texts, text("report"), sheets, language),
         "alone": alone,
         "events": tables.event_headings(verdict, language),
         "simulations": tables.simulations(verdict, language),
@@ -262,7 +254,6 @@ def curves_image(verdict: Verdict, language: str) -> str:
 def drawing(verdict: Verdict, result: OptionVerdict, language: str) -> str:
     """Return a drawing of a lone piece with measures, in the colour of how firmly it stands, as an image."""
     held = hold(verdict.scenario.piece.body(), verdict.scenario.room.room(), result.option.measures)
-    figure = new_figure(2.6, 3.2)
-    draw_section(figure.subplots(), held, language, stands=result.pieces[0].stability)
-    with_fallback(figure)
+    stands = result.pieces[0].stability
+    figure = figure_of(lambda axis: draw_section(axis, held, language, stands=stands), 2.6, 3.2)
     return embedded(figure, "svg")
