@@ -54,8 +54,9 @@ def of_poses(
     gaps, none = (apart(count), apart(count)), np.zeros((count, 3), np.int64)
     bodies = [SimpleNamespace(piece=piece, held=None) for piece in standing]
     trace = SimpleNamespace(peak_tilt=np.zeros(count), hit_numbers=none)
-    moves = matrices(attitude), fates_of(standing, place, matrices(attitude), gaps)
-    traced: Any = SimpleNamespace(bodies=bodies, trace=trace, turns_and_fates=lambda: moves)
+    turns = matrices(attitude)
+    fates = fates_of(standing, place, turns, gaps)
+    traced: Any = SimpleNamespace(bodies=bodies, trace=trace, turns=turns, fates=lambda: fates)
     return sp.Run(
         engine="space",
         names=default_names(count),

@@ -297,7 +297,7 @@ def _group_run(traced: Trace, shaking: SpaceShaking, *, tracked: bool) -> GroupR
         rows = slice(first, None if count is None else first + count)
         devices.append((trace.devices[rows], used[rows]))
         first += count or 0
-    tracks = traced.in_room().tracks(shaking.dt) if tracked else [None] * len(traced.bodies)
+    tracks = traced.tracks(shaking.dt) if tracked else [None] * len(traced.bodies)
     return GroupRun(results_of(traced, shaking.times), devices, tracks)
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
-from functools import reduce
+from functools import cached_property, reduce
 from itertools import combinations
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias, TypeVar
 
@@ -32,7 +32,7 @@ STIRS = 0.01
 """Way of a body's corner up to which it stays where it stood [m]."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Track:
     """Where a body was in a run.
 
@@ -67,6 +67,12 @@ class Track:
         """Whether it has not stirred."""
         return len(self.sample) == 1
 
+    @cached_property
+    def span(self) -> NDArray[np.float64]:
+        """The least and the most of its corners at any time [m], shape (2, 3)."""
+        low, high = bounds_of(self.corners())
+        return np.stack([low.min(axis=0), high.max(axis=0)])
+
     def corners(self, chosen: slice | NDArray[np.intp] = slice(None)) -> NDArray[np.float64]:
         """Return where its corners are at some of the samples [m], shape (k, n, 3)."""
         corners = self.shape.corners @ np.swapaxes(self.turn[chosen], 1, 2)
@@ -94,7 +100,9 @@ def outline_of(corners: NDArray[np.float64]) -> NDArray[np.float64]:
     return plan[ConvexHull(plan).vertices]
 
 
-def tracks_of(pieces: Sequence[Piece], trace: SpaceTrace | Run, dt: float) -> list[Track]:
+def tracks_of(
+    pieces: Sequence[Piece], trace: SpaceTrace | Run, dt: float, turns: NDArray[np.float64] | None = None
+) -> list[Track]:
     """Return the tracks of the bodies of a run.
 
     Parameters
@@ -105,8 +113,10 @@ def tracks_of(pieces: Sequence[Piece], trace: SpaceTrace | Run, dt: float) -> li
         How they moved.
     dt : float
         Time between samples [s].
+    turns : ndarray, shape (bodies, samples, 3, 3), optional
+        The rotations of their frames, where they are known.
     """
-    turns = matrices(frames_of(pieces, trace.attitude))
+    turns = matrices(frames_of(pieces, trace.attitude)) if turns is None else turns
     tracks: list[Track] = []
     for b, piece in enumerate(pieces):
         shape, place, turn = ConvexShape.of(piece.solid), trace.place[b], turns[b]
@@ -149,9 +159,14 @@ def bounds_of(corners: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArra
     return reduce(np.minimum, one_by_one), reduce(np.maximum, one_by_one)
 
 
+def apart(span: NDArray[np.float64], other: NDArray[np.float64]) -> bool:
+    """Return whether two boxes do not touch, given their least and most corners, shape (2, 3)."""
+    return bool((span[0] > other[1]).any() or (other[0] > span[1]).any())
+
+
 def meet(track: Track, other: Track) -> bool:
     """Return whether two pieces come together that were run each by itself under the same motion."""
-    if track.stays and other.stays:
+    if (track.stays and other.stays) or apart(track.span, other.span):
         return False
     sample = np.union1d(track.sample, other.sample)
     first, second = (np.searchsorted(run.sample, sample, side="right") - 1 for run in (track, other))

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -71,7 +72,8 @@ def simulate_scene(
     return replace(run, names=scene.names, plan=scene.plan)
 
 
-class Trace(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Trace:
     """Bodies as the engine ran them: bodies, room, what became of them and what holds them, and g [m/s²].
 
     Places are from an origin on the floor, at x and y of the room [m].
@@ -83,15 +85,24 @@ class Trace(NamedTuple):
     gravity: float
     origin: tuple[float, float] = (0.0, 0.0)
 
-    def turns_and_fates(self) -> tuple[NDArray[np.float64], list[Fate]]:
-        """Return the rotations of the bodies' frames, shape (bodies, samples, 3, 3), and their fates."""
-        pieces, trace = [body.piece for body in self.bodies], self.trace
-        turns = matrices(frames_of(pieces, trace.attitude))
-        return turns, fates_of(pieces, trace.place, turns, trace.gaps, trace.given_up)
+    @cached_property
+    def pieces(self) -> list[Piece]:
+        """The bodies as they stood at first."""
+        return [body.piece for body in self.bodies]
+
+    @cached_property
+    def turns(self) -> NDArray[np.float64]:
+        """The rotations of the bodies' frames, shape (bodies, samples, 3, 3)."""
+        return matrices(frames_of(self.pieces, self.trace.attitude))
+
+    def fates(self) -> list[Fate]:
+        """Return what became of the bodies."""
+        return fates_of(self.pieces, self.trace.place, self.turns, self.trace.gaps, self.trace.given_up)
 
     def tracks(self, dt: float) -> list[Track]:
-        """Return where the bodies of a trace `in_room` were; see `stayput.simulation.groups`."""
-        return tracks_of([body.piece for body in self.bodies], self.trace, dt)
+        """Return where in the room the bodies were; see `stayput.simulation.groups`."""
+        tracks = tracks_of(self.pieces, self.trace, dt, self.turns)
+        return [track.shifted(np.array(self.origin)) for track in tracks]
 
     def in_room(self) -> Trace:
         """Return the same with places from the origin of the room."""
@@ -240,7 +251,7 @@ def results_of(traced: Trace, time: NDArray[np.float64]) -> NDArray[np.void]:
         Time [s].
     """
     results = np.zeros(len(traced.bodies), RESULT)
-    for body, (result, fate) in enumerate(zip(results, traced.turns_and_fates()[1], strict=True)):
+    for body, (result, fate) in enumerate(zip(results, traced.fates(), strict=True)):
         # the mechanics know of no body that another bears
         fell_off = fate.outcome is Outcome.FELL_OFF
         result["outcome"] = OVERTURNED_OUTCOME if fell_off else OUTCOMES.index(fate.outcome)
@@ -304,14 +315,13 @@ def run_of_trace(traced: Trace, joints: Sequence[Joint], room: Room, motion: Mot
     room, motion
         Where the bodies stood, and how the floor moved.
     """
-    bodies, planes, trace, gravity, _ = traced
+    trace, planes = traced.trace, traced.planes
     devices: list[DeviceResult] = []
     for number, measures, rows in traced.held():
         records = trace.springs[rows], trace.devices[rows], trace.forces[:, rows]
         devices += device_results(measures, *records, mass=1.0, member=number)
     between = slice(len(trace.springs) - len(joints), None)
     devices += joint_results(joints, trace.springs[between], trace.devices[between], trace.forces[:, between])
-    pieces = tuple(body.piece for body in bodies)
     surfaces = [surface_of(plane) for plane in planes]
     hits = tuple(
         Hit(
@@ -325,10 +335,10 @@ def run_of_trace(traced: Trace, joints: Sequence[Joint], room: Room, motion: Mot
         for hit in trace.hits
     )
     time = motion.dt * np.arange(len(motion.x), dtype=np.float64)
-    attitude = frames_of(pieces, trace.attitude)
+    attitude = frames_of(traced.pieces, trace.attitude)
     return Run(
         "space",
-        default_names(len(bodies)),
+        default_names(len(traced.pieces)),
         piece_runs(traced, time),
         room,
         motion,
@@ -338,8 +348,8 @@ def run_of_trace(traced: Trace, joints: Sequence[Joint], room: Room, motion: Mot
         trace.velocity,
         trace.rotation_rate,
         tuple(devices),
-        gravity=gravity,
-        standing=pieces,
+        gravity=traced.gravity,
+        standing=tuple(traced.pieces),
         planes=planes,
         force=trace.pressing,
         hits=hits,
@@ -354,7 +364,7 @@ def run_of_trace(traced: Trace, joints: Sequence[Joint], room: Room, motion: Mot
 
 def piece_runs(traced: Trace, time: NDArray[np.float64]) -> tuple[PieceRun, ...]:
     """Return what bodies did; see `results_of`."""
-    (turns, fates), trace, runs = traced.turns_and_fates(), traced.trace, list[PieceRun]()
+    turns, fates, trace, runs = traced.turns, traced.fates(), traced.trace, list[PieceRun]()
     for b, (body, fate) in enumerate(zip(traced.bodies, fates, strict=True)):
         piece = body.piece
         overturned, fell_off = (

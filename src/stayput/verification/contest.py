@@ -137,6 +137,7 @@ class Contest:
         self.watcher = None if scenario.plan is None else Watcher()
         self._last: tuple[object, list[Rows]] = None, []
         self._scenes: dict[int, tuple[Option, Scene]] = {}
+        self._held: dict[int, tuple[Option, HeldBy]] = {}
         self.runner = SceneRunner(
             partial(draws_of_scenario, scenario, self.settings.motions),
             self.floors,
@@ -176,6 +177,12 @@ class Contest:
 
     def held_by(self, option: Option) -> HeldBy:
         """Return what holds the pieces of an option, in the order of the devices of its runs."""
+        known = self._held.get(id(option))
+        if known is None:
+            known = self._held[id(option)] = option, self._devices(option)
+        return known[1]
+
+    def _devices(self, option: Option) -> HeldBy:
         scenario = self.scenario
         if self.in_plane:
             held = hold(scenario.piece.body(), scenario.room.room(), option.measures)

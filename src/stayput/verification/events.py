@@ -18,7 +18,8 @@ from scipy import ndimage
 from stayput.mechanics.columns import OVERTURNED_OUTCOME
 from stayput.model.floor_plan import Door, FloorPlan, PersonPlace, rectangle
 from stayput.montecarlo.scenes import Seen
-from stayput.simulation.groups import Touching, Track, at_rest, body_at, bounds_of, touching_of, tracks_of
+from stayput.simulation import groups
+from stayput.simulation.groups import Touching, Track, at_rest, body_at, bounds_of, touching_of
 from stayput.simulation.piece import Piece, box_of, separation
 
 if TYPE_CHECKING:
@@ -211,9 +212,11 @@ def contact_with_place(track: Track, place: PersonPlace) -> RoomContact | None:
     """
     if track.stays:
         return None
-    low, high = bounds_of(track.corners())
     corners = rectangle(place.at, place.width, place.length, place.heading)
     least, most = (*corners.min(axis=0), place.low), (*corners.max(axis=0), place.high)
+    if groups.apart(track.span, np.array([least, most])):
+        return None
+    low, high = bounds_of(track.corners())
     near = np.all((low <= most) & (high >= least), axis=1)
     touching = touching_of(
         track.sample, near, track.dt, lambda k: separation(body_at(track, k), box_of(place, len(k)))
@@ -371,7 +374,7 @@ def happens_in(run: Run) -> RunInRoom:
     """Return what happens in a run of a room."""
     plan = run.plan
     assert plan is not None
-    tracks = tracks_of(run.standing, run, run.motion.dt)
+    tracks = groups.tracks_of(run.standing, run, run.motion.dt)
     seen = Watcher()(plan, tracks)
     return RunInRoom(
         tuple(
