@@ -72,7 +72,7 @@ LEAST, RIM_LEAST = 0.25, 0.02
 FINER = 0.25
 """The latter where contacts begin or end to slip, over the latter otherwise: friction jumps there."""
 
-TOLERANCE, SLIDING, RIM_TOLERANCE = 1e-2, 1e-3, 1e-4
+TOLERANCE, SLIDING, RIM_TOLERANCE = 1e-1, 3e-3, 1e-4
 """Difference of a step and its halves, over its length, up to which it is not shortened [m/s]; the same where
 something slips that nothing holds, whose way may turn fast; and where a body has a rim, which turns fast
 where it rolls nearly flat.
