@@ -13,6 +13,7 @@ from contextvars import ContextVar
 from difflib import get_close_matches
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any, Self, TypeVar
+from unicodedata import normalize
 
 from stayput.catalogue import TEXTS, Language, Phrase, is_phrase, phrase, say
 
@@ -320,15 +321,17 @@ def instance_of(name: str, value: object, kind: type[T] | tuple[type[T], ...]) -
 
 
 def name_of(name: str, value: object) -> str:
-    """Return what the user calls something, a text without control characters, or raise `InputError`."""
+    """Return what the user calls something, a text that is seen whole, or raise `InputError`."""
     text = instance_of(name, value, str)
-    if not text or has_control(text):
+    if not text.strip() or has_control(text):
         raise not_allowed(name, quoted(text), "common.plain_text", name)
     return text
 
 
 def refuse_same_names(place: str, names: Sequence[str], taken: Mapping[str, Phrase] | None = None) -> None:
     """Refuse two items of a list that have one name, or one that has a name which is taken already.
+
+    Names that differ in their spaces alone, or in how Unicode writes the same letters, look the same.
 
     Parameters
     ----------
@@ -341,10 +344,11 @@ def refuse_same_names(place: str, names: Sequence[str], taken: Mapping[str, Phra
     """
     seen: dict[str, str | Phrase] = {**(taken or {})}
     for number, name in enumerate(names):
-        if name in seen:
+        looks = " ".join(normalize("NFKC", name).split())
+        if looks in seen:
             key = f"{place}[{number}].name"
-            raise InputError("scenario.same_name", key, value=repr(name), other=seen[name])
-        seen[name] = f"{place}[{number}]"
+            raise InputError("scenario.same_name", key, value=repr(name), other=seen[looks])
+        seen[looks] = f"{place}[{number}]"
 
 
 def list_of(name: str, values: Any, kind: type | tuple[type, ...] = object) -> tuple[Any, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import errno
 import io
 import os
 import re
@@ -116,8 +117,8 @@ def check_target(path: str | Path, suffixes: Sequence[str]) -> Path:
     Raises
     ------
     InputError
-        An unknown ending, a folder that does not exist, a folder in the file's place, too long a name,
-        or one with a null character.
+        An unknown ending, a folder that does not exist or cannot be written to, a folder in the file's place,
+        too long a name, or one with a null character.
     """
     instance_of("path", path, (str, PathLike))
     target = Path(path)
@@ -131,6 +132,8 @@ def check_target(path: str | Path, suffixes: Sequence[str]) -> Path:
             raise not_allowed("model.file_to_write", target, "model.no_folder")
         if target.is_dir():
             raise not_allowed("model.file_to_write", target, "model.file_is_folder")
+        if not os.access(target.parent, os.W_OK):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
     except OSError as error:
         raise _not_written(target, error) from None
     return target

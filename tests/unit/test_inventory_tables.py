@@ -52,9 +52,9 @@ REJECTED = {
     "more cells": (GOOD.replace("good", "x") + ",1", "14 cells"),
     "fewer cells": ("x,chest", "2 cells"),
     "a million characters": (row(id="x", preset="c" * 10**6), "preset has 1,000,000 characters"),
-    "several lines": (row(id="x", preset='"chest\nchest"'), "it must be a text of one or more characters without control characters"),
+    "several lines": (row(id="x", preset='"chest\nchest"'), "it must be a text of one or more characters, not only spaces, without control characters"),
     "stray quote": ('x,"chest"z,,,,,,,,,,,', "cannot be read"),
-    "invisible character": (row(id="x\u200b", preset="chest"), "id is 'x\\u200b'; it must be a text of one or more characters without control characters"),
+    "invisible character": (row(id="x\u200b", preset="chest"), "id is 'x\\u200b'; it must be a text of one or more characters, not only spaces, without control characters"),
     "control character": (row(id="x\x07", preset="chest"), "control character"),
 }  # fmt: skip
 

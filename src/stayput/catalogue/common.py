@@ -54,8 +54,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "twice": ("{name} is given twice; give it once.", "{name}が2回あります。1回にしてください。"),
     "empty": ("{name} is empty; give one or more.", "{name}が空です。1つ以上指定してください。"),
     "of_type": ("of type {wanted}", "{wanted}型の値"),
-    "plain_text": ("a text of one or more characters without control characters",
-                   "制御文字を含まない1文字以上の文字列"),
+    "plain_text": ("a text of one or more characters, not only spaces, without control characters",
+                   "空白だけでなく制御文字を含まない1文字以上の文字列"),
     "compilation_disabled": (("NUMBA_DISABLE_JIT is set, and the mechanics run as compiled code only; "
                               "unset it."),
                              ("NUMBA_DISABLE_JITが設定されていますが、"

@@ -21,8 +21,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "few_to_many": ("{few} to {many}", "{few}～{many}"),
     "table_of": ("a table of {keys}", "{keys}からなるテーブル"),
     "names_of_pieces": ("names of pieces", "家具の名前"),
-    "text": ("a text of {few} to {many} characters without control characters",
-             "{few}～{many}文字の文字列（制御文字を除く）"),
+    "text": ("a text of {few} to {many} characters, not only spaces, without control characters",
+             "{few}～{many}文字の文字列（空白だけのもの、制御文字を除く）"),
     # Keys that do not go together
     "without_preset": ("given where no preset is", "プリセットを使わない場合の値"),
     "one_shape": (("The piece {name!r} needs one shape: preset; width, length and height; diameter and "

@@ -174,13 +174,13 @@ def named(names: Collection[str]) -> Any:
     return Field(json_schema_extra={"enum": list(names)})
 
 
-def _without_control(text: str) -> str:
-    if has_control(text):
+def _seen(text: str) -> str:
+    if has_control(text) or not text.strip():
         raise ValueError
     return text
 
 
-Text = Annotated[str, Field(min_length=1, max_length=200), AfterValidator(_without_control)]
+Text = Annotated[str, Field(min_length=1, max_length=200), AfterValidator(_seen)]
 
 
 def kind_of(value: object) -> str:

@@ -299,6 +299,8 @@ def verify(
     >>> verdict.motions
     2
     """
+    for name, switch in (("changes", changes), ("every_run", every_run)):
+        instance_of(name, switch, bool)
     limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
     settings = {"samples": samples, "seed": seed, "precision": precision}
     stated = {key: value for key, value in settings.items() if value is not None}

@@ -34,10 +34,12 @@ def probability(chance: Probability, language: str) -> str:
 
 
 def interval(chance: Probability, language: str) -> str:
-    """Return the interval of a probability: "7 to 20 %"."""
+    """Return the interval of a probability: "7 to 20 %"; an end that is told in brief is rounded as there."""
     if chance.runs == 0:
         return ""
-    low, high = percent(chance.low), share(chance.high, language)
+    brief, joint = chance.brief, " " if language == "en" else ""
+    low = brief[1:] if brief[0] == ">" else percent(chance.low)
+    high = f"{brief[1:] if brief[0] == '<' else percent(chance.high)}{joint}%"
     return f"{low} to {high}" if language == "en" else f"{low}～{high}"
 
 
