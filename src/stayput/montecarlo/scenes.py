@@ -55,6 +55,10 @@ class GroupRun(NamedTuple):
     tracks: list[Any]
 
 
+KnownRuns: TypeAlias = dict[tuple[int, int], dict[tuple[str, float], GroupRun]]
+"""Runs of groups by motion and sample, by what tells the group and how long it lies."""
+
+
 class Seen(NamedTuple):
     """What happened in a run of a room.
 
@@ -98,6 +102,8 @@ class SceneRunner:
         What looks at the runs of a room with a plan.
     initial : State, optional
         The initial state of a lone piece; at rest by default.
+    known : dict, optional
+        Runs of the same motions and draws that are known, to which those are added that are made.
     """
 
     def __init__(
@@ -111,11 +117,12 @@ class SceneRunner:
         advance: Callable[[int], None] = lambda _runs: None,
         watch: Watch | None = None,
         initial: State | None = None,
+        known: KnownRuns | None = None,
     ) -> None:
         self._drawn, self.floors, self._gravity, self._initial = drawn, floors, gravity, initial
         self._counted, self.threads, self.advance, self._watch = list(counted), threads, advance, watch
         self._draws: list[list[DrawOfSeveral]] = [[] for _ in floors.motions]
-        self._known: dict[tuple[int, int], dict[tuple[str, float], GroupRun]] = {}
+        self._known = {} if known is None else known
 
     def under(self, floors: FloorMotions, advance: Callable[[int], None] | None = None) -> SceneRunner:
         """Return the same under other motions, which knows of no run yet; another ``advance`` if given."""

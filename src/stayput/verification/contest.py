@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import weakref
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -15,7 +16,7 @@ from stayput.montecarlo.hazard import FloorMotions, Hazard
 from stayput.montecarlo.runs import Falls, Runs, run_level, run_levels, settled_levels
 from stayput.montecarlo.sampling import Rows, Settings, drawn_held, draws, rows_of
 from stayput.montecarlo.scene_draws import draws_of_scenario
-from stayput.montecarlo.scenes import SceneRunner, replay
+from stayput.montecarlo.scenes import KnownRuns, SceneRunner, replay
 from stayput.motion.suites.suite import Suite
 from stayput.simulation.case import Case, run_of
 from stayput.simulation.groups import at_rest
@@ -94,6 +95,27 @@ HeldBy = list[tuple[tuple[str, ...], Element | None]]
 """What holds the pieces of an option: the pieces, and the device; None of a joint."""
 
 
+class _Latest:
+    """The runs of the room that was verified last: its plan makes most of them again.
+
+    They are kept as long as its scenario is, and those of one room alone: they take hundreds of megabytes.
+    """
+
+    def __init__(self) -> None:
+        self._known: KnownRuns = {}
+        self._scenario: Callable[[], Scenario | None] = lambda: None
+
+    def known(self, scenario: Scenario) -> KnownRuns:
+        """Return the runs of a scenario, none where another one came since."""
+        if self._scenario() is not scenario:
+            known: KnownRuns = {}
+            self._known, self._scenario = known, weakref.ref(scenario, lambda _: known.clear())
+        return self._known
+
+
+_latest = _Latest()
+
+
 class Contest:
     """The options of a verification under its motions and draws.
 
@@ -147,6 +169,7 @@ class Contest:
             advance=advance,
             watch=self.watcher,
             initial=scenario.initial.state(),
+            known=_latest.known(scenario) if self.watcher is not None and times == 1.0 else None,
         )
 
     @property
