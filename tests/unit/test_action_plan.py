@@ -80,9 +80,13 @@ def of_people(effect: OptionVerdict) -> People:
 
 def test_a_plan_makes_no_run_again_that_the_verdict_rests_on(monkeypatch):
     """An equal scenario that is another object has no runs yet: its plan makes them all, and is the same."""
-    made: list[str] = []
-    traced = scenes.trace_draw
-    monkeypatch.setattr(scenes, "trace_draw", lambda *given, **rest: made.append("") or traced(*given, **rest))
+    made, traced = list[sp.Scene](), scenes.trace_draw
+
+    def noted(scene: sp.Scene, *given: Any, **rest: Any) -> Any:
+        made.append(scene)
+        return traced(scene, *given, **rest)
+
+    monkeypatch.setattr(scenes, "trace_draw", noted)
     verdict = sp.verify(alone(), progress=False)
     of_verdict = len(made)
     plan = sp.action_plan(verdict, progress=False)

@@ -67,3 +67,11 @@ def test_a_path_that_no_file_can_have_is_refused(tmp_path: Path):
 def test_a_name_with_a_null_character_is_refused():
     with pytest.raises(InputError, match=r"'a\\x00b.nc'; it must be a name without null characters"):
         check_target("a\0b.nc", (".nc",))
+
+
+def test_a_folder_that_cannot_be_written_to_is_refused_before_the_runs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr("stayput.files.os.access", lambda _path, _mode: False)  # root may write everywhere
+    with pytest.raises(InputError, match=r"r\.html.* could not be written: permission denied"):
+        check_target(tmp_path / "r.html", (".html",))

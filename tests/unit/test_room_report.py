@@ -211,6 +211,13 @@ def test_it_says_the_verdict_and_every_number_of_it(page):
     assert ("15 cm") in told
 
 
+@pytest.mark.parametrize("fell", [0, 5])
+def test_an_interval_ends_where_its_bound_in_brief_does(fell):
+    chance = probability(np.arange(5)[:, np.newaxis] < fell)
+    (bound,) = re.findall(r"[<>](\d+) %", numbers.probability(chance, "en"))
+    assert bound in numbers.interval(chance, "en").split()
+
+
 def rows_of(verdict, key):
     """Return the rows of one of a report's tables, each value with what stands beside it."""
     (rows,) = (one.rows for one in sections(verdict, verdict.others, "en") if one.key == key)

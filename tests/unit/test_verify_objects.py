@@ -176,3 +176,9 @@ def test_single_numbers_of_numpy_are_numbers():
     for strength in (np.float32(6.0), np.array(6.0), {"intensity": np.float32(6.0)}):
         of_numpy = verified(shaking=strength, samples=np.int64(8), seed=np.int32(2), measures=[])
         assert chances(of_numpy) == plain
+
+
+@pytest.mark.parametrize("switch", ["changes", "every_run"])
+def test_a_switch_is_true_or_false(switch: str):
+    with pytest.raises(sp.InputError, match=f"^{switch} is 'no'; it must be of type bool"):
+        verified(shaking="6-lower", **{switch: "no"})

@@ -77,7 +77,8 @@ def action_plan(
     Parameters
     ----------
     verdict : Verdict
-        The room. Its earthquakes and draws are used again; its single changes are not needed.
+        The room. Its earthquakes and draws are used again, and its runs, if no room was verified since; its
+        single changes are not needed.
     decided : sequence of Change
         Changes that are made in any case, such as ``verdict.changes(verdict.helping)``: they are steps of the
         plan, whatever they bring, and nothing else is moved or put on the same piece.
