@@ -118,6 +118,7 @@ def test_what_is_wrong_is_refused_with_the_value(tables: dict[str, Any], told: s
     with pytest.raises(sp.InputError, match=r"must|missing|unknown|not|give") as refusal:
         sp.verify(changed(**tables), changes=False, progress=False)
     assert told in str(refusal.value)
+    assert not re.match(r"(\S+): \1 ", str(refusal.value))  # the key once
     assert refusal.value.told("ja") != str(refusal.value)
     with pytest.raises(sp.InputError, match=re.escape(str(refusal.value))):
         changed(**tables).run()

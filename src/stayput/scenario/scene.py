@@ -226,7 +226,8 @@ class SceneTables(Table):
             try:
                 self._plan()
             except InputError as error:
-                raise error.at(error.field or "plan", error.field) from None
+                field = error.field or "plan"
+                raise error if str(error).startswith(field) else error.at(field, error.field) from None
         with self._keys():
             places = [(piece.on, piece.against) for piece in self.pieces]
             refuse_places(places, self.names, in_plan=self.plan is not None)
