@@ -102,15 +102,17 @@ class _Latest:
     """
 
     def __init__(self) -> None:
-        self._known: KnownRuns = {}
-        self._scenario: Callable[[], Scenario | None] = lambda: None
+        # both at once, as other threads may verify other rooms
+        self._kept: tuple[Callable[[], Scenario | None], KnownRuns] = (lambda: None), {}
 
     def known(self, scenario: Scenario) -> KnownRuns:
         """Return the runs of a scenario, none where another one came since."""
-        if self._scenario() is not scenario:
-            known: KnownRuns = {}
-            self._known, self._scenario = known, weakref.ref(scenario, lambda _: known.clear())
-        return self._known
+        of, known = self._kept
+        if of() is not scenario:
+            runs: KnownRuns = {}
+            self._kept = weakref.ref(scenario, lambda _: runs.clear()), runs
+            return runs
+        return known
 
 
 _latest = _Latest()
