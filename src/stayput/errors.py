@@ -328,10 +328,12 @@ def name_of(name: str, value: object) -> str:
     return text
 
 
-def refuse_same_names(place: str, names: Sequence[str], taken: Mapping[str, Phrase] | None = None) -> None:
+def refuse_same_names(
+    place: str, names: Sequence[str], taken: Mapping[str, str | Phrase] | None = None
+) -> None:
     """Refuse two items of a list that have one name, or one that has a name which is taken already.
 
-    Names that differ in their spaces alone, or in how Unicode writes the same letters, look the same.
+    Names that differ in spaces or capitals alone, or in how Unicode writes the same letters, are one.
 
     Parameters
     ----------
@@ -342,13 +344,16 @@ def refuse_same_names(place: str, names: Sequence[str], taken: Mapping[str, Phra
     taken : mapping, optional
         Names of others, and what these are called in sentences.
     """
-    seen: dict[str, str | Phrase] = {**(taken or {})}
+
+    def looks(name: str) -> str:
+        return " ".join(normalize("NFC", name).casefold().split())
+
+    seen: dict[str, str | Phrase] = {looks(name): other for name, other in (taken or {}).items()}
     for number, name in enumerate(names):
-        looks = " ".join(normalize("NFKC", name).split())
-        if looks in seen:
+        if looks(name) in seen:
             key = f"{place}[{number}].name"
-            raise InputError("scenario.same_name", key, value=repr(name), other=seen[looks])
-        seen[looks] = f"{place}[{number}]"
+            raise InputError("scenario.same_name", key, value=repr(name), other=seen[looks(name)])
+        seen[looks(name)] = f"{place}[{number}]"
 
 
 def list_of(name: str, values: Any, kind: type | tuple[type, ...] = object) -> tuple[Any, ...]:

@@ -132,11 +132,23 @@ def check_target(path: str | Path, suffixes: Sequence[str]) -> Path:
             raise not_allowed("model.file_to_write", target, "model.no_folder")
         if target.is_dir():
             raise not_allowed("model.file_to_write", target, "model.file_is_folder")
-        if not os.access(target.parent, os.W_OK):
-            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
     except OSError as error:
         raise _not_written(target, error) from None
+    check_writable(target)
     return target
+
+
+def check_writable(target: Path) -> None:
+    """Refuse a path where nothing can be made in the first folder above it that there is.
+
+    Raises
+    ------
+    InputError
+        It could not be written.
+    """
+    above = next(folder for folder in target.absolute().parents if folder.exists())
+    if not os.access(above, os.W_OK):
+        raise _not_written(target, PermissionError(errno.EACCES, os.strerror(errno.EACCES)))
 
 
 def check_apart(outputs: Iterable[Path | None], inputs: Iterable[Path]) -> None:

@@ -21,7 +21,6 @@ from stayput.cli import app
 from stayput.measures import MEASURES, Belt, GelMats, LBracket, TensionPole, WedgeStopper
 from stayput.measures.measure import Grade
 from stayput.mechanics.devices.columns import DEVICE
-from stayput.montecarlo import scenes
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.report.room.card import plan_html
 from stayput.report.room.elevation import ELEVATION_SCALES, SIZES, elevation_scale, size_on_paper, sizes_of
@@ -76,27 +75,6 @@ def fixes(plan: sp.ActionPlan) -> list[Fix]:
 def of_people(effect: OptionVerdict) -> People:
     assert effect.people is not None
     return effect.people
-
-
-def test_a_plan_makes_no_run_again_that_the_verdict_rests_on(monkeypatch):
-    """An equal scenario that is another object has no runs yet: its plan makes them all, and is the same."""
-    made, traced = list[sp.Scene](), scenes.trace_draw
-
-    def noted(scene: sp.Scene, *given: Any, **rest: Any) -> Any:
-        made.append(scene)
-        return traced(scene, *given, **rest)
-
-    monkeypatch.setattr(scenes, "trace_draw", noted)
-    verdict = sp.verify(alone(), progress=False)
-    of_verdict = len(made)
-    plan = sp.action_plan(verdict, progress=False)
-    after_it = len(made) - of_verdict
-    anew = sp.action_plan(replace(verdict, scenario=verdict.scenario.model_copy()), progress=False)
-    by_itself = len(made) - of_verdict - after_it
-    assert by_itself - after_it == of_verdict > 0
-    steps, again = (json.loads(one.to_json())["steps"] for one in (plan, anew))
-    assert steps
-    assert again == steps
 
 
 def test_the_margin_makes_up_for_the_weakest_products():

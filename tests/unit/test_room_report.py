@@ -48,7 +48,7 @@ SCENARIO = {
     ],
     "places": [
         {"kind": "bed", "at": [2.0, 0.8], "heading": math.pi / 2.0},
-        {"kind": "cot", "name": HOSTILE, "at": [1.4, 2.3]},
+        {"kind": "cot", "name": f"cot {HOSTILE}", "at": [1.4, 2.3]},
     ],
     "doors": [
         {"wall": "right_wall", "start": 0.5, "width": 0.8},
@@ -216,6 +216,8 @@ def test_an_interval_ends_where_its_bound_in_brief_does(fell):
     chance = probability(np.arange(5)[:, np.newaxis] < fell)
     (bound,) = re.findall(r"[<>](\d+) %", numbers.probability(chance, "en"))
     assert bound in numbers.interval(chance, "en").split()
+    wide = probability(np.arange(40).reshape(2, 20) < 1)
+    assert re.fullmatch(r"<0\.1 to \d+ %", numbers.interval(wide, "en"))
 
 
 def rows_of(verdict, key):

@@ -106,6 +106,7 @@ def test_a_piece_against_a_wall_faces_into_the_room(wall: str, facing: tuple[flo
             {"places": [{"at": [1.4, 1.9]}, {"at": [2.6, 1.9]}]},
             "places[1].name is 'bed'; it must not be that of places[0]",
         ),
+        ({"places": [{"name": "Bookcase", "at": [2.0, 1.0]}]}, "it must not be that of furniture[0]"),
         ({"doors": [{"wall": "right_wall", "start": 2.2}]}, "must be at most 2.7 m"),
         ({"doors": [{"wall": "back_wall", "start": 0.2}]}, "back_wall"),
         ({"room": {"left_wall": {"gap": 0.1}}}, "left_wall"),

@@ -10,7 +10,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "instrumental": ("JMA intensity {class} (instrumental {value})", "{class}（計測震度 {value}）"),
     "simulations": ("Simulations", "計算回数"),
     "simulations_text": (("{runs} runs in all; motions × Monte Carlo samples: {motions} × {samples} for "
-                          "each measure, and for each level of the curves"),
+                          "each measure, of curves also for each level"),
                          ("合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、"
                           "各対策で（曲線では各レベルでも）計算しました。")),
     "settled_text": (("; {settled} more were not needed, since weaker or stronger shaking with the same draw "
@@ -81,9 +81,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     "unsure": ("unsure", "不確実"),
     "interval": ("95 % interval", "95%区間"),
     "fragility": ("How strong may the shaking be?", "どの強さの揺れまで耐えるか"),
-    "fragility_text": (("Share that overturns against the intensity, without a measure and with the seven "
-                        "best ones. The marks are what was counted at each level, with 95 % intervals as "
-                        "bars, moved apart sideways to be seen; the lines join the nearest "
+    "fragility_text": (("Share that overturns against the intensity, without a measure and with at "
+                        "most the seven best. The marks are what was counted at each level, with 95 % "
+                        "intervals as bars, moved apart sideways to be seen; the lines join the nearest "
                         "rising shares (isotonic regression: no shape is assumed); the bands are 95 % "
                         "intervals, as with other motions of the same kind. Of more than three curves the "
                         "first two have bands and bars."),

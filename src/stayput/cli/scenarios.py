@@ -16,7 +16,7 @@ from stayput.cli.messages import compiling, note, plain_table, print_json, tell_
 from stayput.cli.streams import called, check_output, is_stream, to_output, write_text
 from stayput.errors import InputError, within
 from stayput.execution import thread_count
-from stayput.files import CSV_ENCODING, PLOT_SUFFIXES, check_animation
+from stayput.files import CSV_ENCODING, PLOT_SUFFIXES, check_animation, check_writable
 from stayput.progress import bar, is_drawn
 
 if TYPE_CHECKING:
@@ -199,6 +199,7 @@ def _over(curves: Path | None, im: str | None) -> IntensityMeasure | None:
         return None
     if curves.exists() and not curves.is_dir():
         raise InputError("common.folder_is_file", "--curves", folder=curves, path=curves)
+    check_writable(curves / "curves.csv")
     return intensity_measure(im or "JMA", "--im")
 
 

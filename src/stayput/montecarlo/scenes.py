@@ -265,7 +265,10 @@ class SceneRunner:
             draw = self.draw(motion, sample).of(group)
             reached = len(of.at_first) > 1 or self._watch is not None
             traced = trace_draw(part, draw, shaking, self._gravity, called, self._initial, lies=lies)
-            known[key, lies] = _group_run(traced, shaking, tracked=reached)
+            ran = _group_run(traced, shaking, tracked=reached)
+            if FAILED_OUTCOME in ran.results["outcome"]:  # as those are that an exception has cut off
+                return ran
+            known[key, lies] = ran
         return known[key, lies]
 
     def _members(

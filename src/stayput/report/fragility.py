@@ -30,7 +30,6 @@ from stayput.report.figures import (
 from stayput.report.palette import COMPONENT_COLOURS, INK, MUTED
 from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import motions_told
-from stayput.verification.words import title
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -139,8 +138,7 @@ def plot_options(
     bare = verdict.without
     best = [result for result in verdict.options if result is not bare][: len(_LOOKS) - 1]
     curves = [
-        replace(result.curves[measure], name=title(result.option, verdict, language))
-        for result in (bare, *best)
+        replace(result.curves[measure], name=verdict.label(result, language)) for result in (bare, *best)
     ]
     motions = say(motions_told(verdict.scenario, verdict.motions)[0], language)
     return plot_fragility(
@@ -272,7 +270,7 @@ def draw_ranking(axis: Axes, verdict: Verdict, language: str) -> None:
         axis.barh(place, estimate, 0.55, color=COMPONENT_COLOURS["x"])
         axis.errorbar(estimate, place, xerr=ends, color=INK, capsize=3.0, linewidth=1.0)
         axis.text(high + 1.5, place, numbers.probability(chance, language), va="center", fontsize=FONT - 1.0)
-    labels = [drawable(title(option.option, verdict, language)) for option in verdict.options]
+    labels = [drawable(verdict.label(option, language)) for option in verdict.options]
     axis.set_yticks(range(len(labels)), labels, fontsize=FONT - 1.0)
     axis.set_ylim(len(labels) - 0.4, -0.6)
     axis.set_xlim(0.0, 112.0)

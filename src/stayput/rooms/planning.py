@@ -19,6 +19,7 @@ from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, instance_of
 from stayput.measures.edges import WedgeStopper
 from stayput.measures.floor import SOFT
+from stayput.measures.wall import WallDevice
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class
 from stayput.progress import tally
@@ -139,6 +140,7 @@ def action_plan(
         options=(replace(planner.as_it_is, rank=1),),
         samples=contest.settings.samples,
         runs=made.done,
+        settled=0,
         seconds=time.perf_counter() - began,
         complete=True,
     )
@@ -280,7 +282,7 @@ class _Planner:
             why.update({kinds: phrase("action_plan.drills") for kinds in SETS if not self.home.allows(kinds)})
             tried = self._helpful(body, moves, [kinds for kinds in SETS if self.home.allows(kinds)])
         else:
-            tried = [self._trial(body, decided)]
+            tried = [self._trial(body, self._in_number(body, decided, moves))]
         if not tried:
             self._with_drilling(body, moves)
             return None
@@ -317,7 +319,7 @@ class _Planner:
             if refused is not None:
                 why[kinds] = refused
                 continue
-            trial = self._trial(body, measures)
+            trial = self._trial(body, self._in_number(body, measures, moves))
             if harm_step(trial.harm) < bare or frees(trial.effect) or self._steadies(trial, body):
                 helpful.append(trial)
             else:
@@ -363,21 +365,27 @@ class _Planner:
             return phrase("action_plan.not_possible", why=sentence)
         return None
 
-    def _fitted(self, tried: Trial, body: int, moves: tuple[Change, ...]) -> Fix:
-        """Return measures as they are bought, where the piece will stand.
+    def _in_number(
+        self, body: int, measures: tuple[Measure, ...], moves: tuple[Change, ...]
+    ) -> tuple[Measure, ...]:
+        """Return measures with as many devices as their fixing asks for, where the studs allow it."""
+        if not any(isinstance(measure, WallDevice) for measure in measures):
+            return measures
+        length, moved = self.scene.pieces[body].body.length or 0.0, self._moved(body, moves)
+        purchases = purchases_of(
+            self.contest, self._with([*moved, *self._on(body, measures)]), measures, body
+        )
+        fitted = tuple(in_number(purchase, length) for purchase in purchases)
+        return measures if any(self._refused(body, fitted, way) for way in ((), moves)) else fitted
 
-        Where the studs allow it there are as many devices as what they are screwed to asks for.
-        """
-        measures = tried.measures
-        moved = tuple(move for move in moves if move.what == self.scenario.names[body])
+    def _moved(self, body: int, moves: tuple[Change, ...]) -> tuple[Change, ...]:
+        return tuple(move for move in moves if move.what == self.scenario.names[body])
+
+    def _fitted(self, tried: Trial, body: int, moves: tuple[Change, ...]) -> Fix:
+        """Return measures as they are bought, where the piece will stand."""
+        measures, moved = tried.measures, self._moved(body, moves)
         option = self._with([*moved, *self._on(body, measures)])
         purchases = purchases_of(self.contest, option, measures, body)
-        length = self.scene.pieces[body].body.length or 0.0
-        fitted = tuple(in_number(purchase, length) for purchase in purchases)
-        if fitted != measures and not any(self._refused(body, fitted, way) for way in ((), moves)):
-            measures, tried = fitted, self._trial(body, fitted)
-            option = self._with([*moved, *self._on(body, measures)])
-            purchases = purchases_of(self.contest, option, measures, body)
         overturns, gives_way, scene = tried.overturns, tried.gives_way, self.contest.scene(option)
         if moved:
             effect = self._effect([*moved, *self._on(body, measures)])

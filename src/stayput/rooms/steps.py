@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from stayput.catalogue import Phrase, phrase
-from stayput.errors import InputError, instance_of
+from stayput.errors import InputError, instance_of, list_of
 from stayput.measures import MEASURES, Measure
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.scenario.tables import floor_of
@@ -57,7 +57,7 @@ def decisions_of(scenario: Scenario, changes: Sequence[Change]) -> Decisions:
     places = {place.name: place for place in scene.plan.places}
     moves: list[Change] = []
     measures: dict[int, tuple[Measure, ...]] = {}
-    for number, change in enumerate(changes):
+    for number, change in enumerate(list_of("decided", changes)):
         field, what = f"decided[{number}]", instance_of("decided", change, Change).what
         body = names.index(what) if what in names else None
         if body is None and what not in places:
@@ -147,6 +147,10 @@ class Home:
     def allows(self, kinds: Iterable[str]) -> bool:
         """Return whether measures of some kinds may be used in this home."""
         return not (self.no_drilling and any(MEASURES[kind].drilled for kind in kinds))
+
+    def __post_init__(self) -> None:
+        for each in fields(self):
+            instance_of(each.name, getattr(self, each.name), bool)
 
     def of(self, scenario: Scenario) -> Scenario:
         """Return a room as it is in this home.

@@ -223,8 +223,10 @@ class SceneTables(Table):
         elif stated := [*filter(self.room.says, sorted(WALLS_AROUND))]:
             raise InputError("scenario.only_one", f"room.{stated[0]}", other="plan")
         else:
+            pieces = {name: self.key_of(number) for number, name in enumerate(self.names)}
             try:
                 self._plan()
+                refuse_same_names("places", [table.place().name for table in self.places], pieces)
             except InputError as error:
                 field = error.field or "plan"
                 raise error if str(error).startswith(field) else error.at(field, error.field) from None

@@ -7,6 +7,8 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures import Element, hold
 from stayput.measures.element import device_results
@@ -25,7 +27,6 @@ from stayput.simulation.space import warn_of_settlement
 from stayput.verification.events import Watcher
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import NDArray
 
     from stayput.model.floor_plan import FloorPlan
@@ -103,16 +104,22 @@ class _Latest:
 
     def __init__(self) -> None:
         # both at once, as other threads may verify other rooms
-        self._kept: tuple[Callable[[], Scenario | None], KnownRuns] = (lambda: None), {}
+        self._kept: tuple[Callable[[FloorMotions], Scenario | None], KnownRuns] = (lambda _: None), {}
 
-    def known(self, scenario: Scenario) -> KnownRuns:
-        """Return the runs of a scenario, none where another one came since."""
+    def known(self, scenario: Scenario, floors: FloorMotions) -> KnownRuns:
+        """Return the runs of a scenario, none where another one came since, or its records have changed."""
         of, known = self._kept
-        if of() is not scenario:
-            runs: KnownRuns = {}
-            self._kept = weakref.ref(scenario, lambda _: runs.clear()), runs
-            return runs
-        return known
+        if of(floors) is scenario:
+            return known
+        runs: KnownRuns = {}
+        kept = weakref.ref(scenario, lambda _: runs.clear())
+
+        def under(others: FloorMotions) -> Scenario | None:
+            same = others.motions == floors.motions and np.array_equal(others.scales, floors.scales)
+            return kept() if same else None
+
+        self._kept = under, runs
+        return runs
 
 
 _latest = _Latest()
@@ -171,7 +178,7 @@ class Contest:
             advance=advance,
             watch=self.watcher,
             initial=scenario.initial.state(),
-            known=_latest.known(scenario) if self.watcher is not None and times == 1.0 else None,
+            known=None if self.watcher is None or times != 1.0 else _latest.known(scenario, self.floors),
         )
 
     @property

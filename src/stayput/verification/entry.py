@@ -300,7 +300,7 @@ def verify(
     2
     """
     for name, switch in (("changes", changes), ("every_run", every_run)):
-        instance_of(name, switch, bool)
+        instance_of(name, _plain(switch), bool)
     limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
     settings = {"samples": samples, "seed": seed, "precision": precision}
     stated = {key: value for key, value in settings.items() if value is not None}

@@ -34,7 +34,6 @@ from stayput.fragility.curve import METHOD, CurveState, FragilityCurve
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.report.fragility import plot_options
 from stayput.report.summary import number
-from stayput.verification.words import title
 
 if TYPE_CHECKING:
     from stayput.fragility.lognormal import LognormalFit
@@ -335,9 +334,7 @@ def write_curves(
         "fragility.svg": None,  # which is drawn
     }
     called = {  # in English as in the files
-        result.option.name: result.option.name
-        if language == "en"
-        else title(result.option, verdict, language)
+        result.option.name: result.option.name if language == "en" else verdict.label(result, language)
         for result in verdict.options
     }
     left_out = [reason for curve in curves if (reason := _left_out(curve, called[curve.name], language))]

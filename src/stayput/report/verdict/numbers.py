@@ -37,9 +37,9 @@ def interval(chance: Probability, language: str) -> str:
     """Return the interval of a probability: "7 to 20 %"; an end that is told in brief is rounded as there."""
     if chance.runs == 0:
         return ""
-    brief, joint = chance.brief, " " if language == "en" else ""
-    low = brief[1:] if brief[0] == ">" else percent(chance.low)
-    high = f"{brief[1:] if brief[0] == '<' else percent(chance.high)}{joint}%"
+    bound, joint = "" if "–" in chance.brief else chance.brief, " " if language == "en" else ""
+    low = bound[1:] if bound.startswith(">") else percent(chance.low)
+    high = f"{bound[1:] if bound.startswith('<') else percent(chance.high)}{joint}%"
     return f"{low} to {high}" if language == "en" else f"{low}～{high}"
 
 
