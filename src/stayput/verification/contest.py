@@ -7,8 +7,6 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures import Element, hold
 from stayput.measures.element import device_results
@@ -27,6 +25,7 @@ from stayput.simulation.space import warn_of_settlement
 from stayput.verification.events import Watcher
 
 if TYPE_CHECKING:
+    import numpy as np
     from numpy.typing import NDArray
 
     from stayput.model.floor_plan import FloorPlan
@@ -96,33 +95,20 @@ HeldBy = list[tuple[tuple[str, ...], Element | None]]
 """What holds the pieces of an option: the pieces, and the device; None of a joint."""
 
 
-class _Latest:
-    """The runs of the room that was verified last: its plan makes most of them again.
+_latest: list[tuple[Callable[[], Scenario | None], FloorMotions, KnownRuns]] = []
 
-    They are kept as long as its scenario is, and those of one room alone: they take hundreds of megabytes.
+
+def _known_runs(scenario: Scenario, floors: FloorMotions) -> KnownRuns:
+    """Return the runs of a room if it is the one that was verified last: its plan makes most of them again.
+
+    They are kept as long as the scenario is, and those of one room alone: they take hundreds of megabytes.
     """
-
-    def __init__(self) -> None:
-        # both at once, as other threads may verify other rooms
-        self._kept: tuple[Callable[[FloorMotions], Scenario | None], KnownRuns] = (lambda _: None), {}
-
-    def known(self, scenario: Scenario, floors: FloorMotions) -> KnownRuns:
-        """Return the runs of a scenario, none where another one came since, or its records have changed."""
-        of, known = self._kept
-        if of(floors) is scenario:
+    for of, under, known in _latest[:]:  # at once, as other threads may verify other rooms
+        if of() is scenario and under.motions == floors.motions and (under.scales == floors.scales).all():
             return known
-        runs: KnownRuns = {}
-        kept = weakref.ref(scenario, lambda _: runs.clear())
-
-        def under(others: FloorMotions) -> Scenario | None:
-            same = others.motions == floors.motions and np.array_equal(others.scales, floors.scales)
-            return kept() if same else None
-
-        self._kept = under, runs
-        return runs
-
-
-_latest = _Latest()
+    runs: KnownRuns = {}
+    _latest[:] = [(weakref.ref(scenario, lambda _: runs.clear()), floors, runs)]
+    return runs
 
 
 class Contest:
@@ -178,7 +164,7 @@ class Contest:
             advance=advance,
             watch=self.watcher,
             initial=scenario.initial.state(),
-            known=None if self.watcher is None or times != 1.0 else _latest.known(scenario, self.floors),
+            known=None if self.watcher is None or times != 1.0 else _known_runs(scenario, self.floors),
         )
 
     @property
