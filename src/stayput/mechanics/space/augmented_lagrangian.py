@@ -239,7 +239,7 @@ def find_impulses(contacts, count, held, bodies, poses, system, accuracy, enough
     for number in range(MOST_ROUNDS):
         for k in range(count):
             contacts[k].rho = penalty / (contacts[k].wnn + contacts[k].stiff)
-        _minimize(contacts, count, held, system, max(0.1 * accuracy, min(0.1 * residual, 1e-4)), work)
+        _minimize(contacts, count, held, system, max(0.1 * accuracy, min(0.01 * residual, 1e-5)), work)
         residual = product = square = 0.0
         for c in contacts[:count]:
             c.ln, c.ls, c.lt = c.dn, c.ds, c.dt
