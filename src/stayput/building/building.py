@@ -9,18 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from stayput.building.model import (
-    AMPLIFICATION_RANGE,
-    MOST_STOREYS,
-    ShakenFloors,
-    ShearModel,
-    ai_distribution,
-    natural_modes,
-    spectral_factor,
-    storey_stiffnesses,
-    strain_energy_damping,
-    weight_above,
-)
+from stayput.building import model as shear_model
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of
 from stayput.model.parameters import STANDARD_GRAVITY, check_fields, parameter, quantity
@@ -134,7 +123,7 @@ class Isolation:
 
 
 @dataclass(frozen=True, repr=False)
-class Building(ShakenFloors, Brief):
+class Building(shear_model.ShakenFloors, Brief):
     """A regular building: storeys of one height and one mass, stiffnesses from the Ai distribution.
 
     Furniture of storey 1 stands on the ground (of a base-isolated building: on the slab above the
@@ -182,7 +171,7 @@ class Building(ShakenFloors, Brief):
     [7.3, 7.5, 10.7]
     """
 
-    storeys: int = parameter(10, "", 1, MOST_STOREYS - 1, ("Number of storeys", "建物の階数"))
+    storeys: int = parameter(10, "", 1, shear_model.MOST_STOREYS - 1, ("Number of storeys", "建物の階数"))
     structure: str = "RC"
     period: float | None = parameter(None, "s", 0.02, 20.0, ("Building period", "建物の固有周期"))
     damping: float | None = parameter(None, *_DAMPING)
@@ -192,7 +181,7 @@ class Building(ShakenFloors, Brief):
     post_yield: float | None = parameter(None, *_POST_YIELD)
     isolation: Isolation = field(default_factory=Isolation)
     vertical_amplification: float = parameter(
-        1.0, "", *AMPLIFICATION_RANGE, ("Building vertical_amplification", "建物の上下動の増幅率")
+        1.0, "", *shear_model.AMPLIFICATION_RANGE, ("Building vertical_amplification", "建物の上下動の増幅率")
     )
 
     def __post_init__(self) -> None:
@@ -231,17 +220,21 @@ class Building(ShakenFloors, Brief):
         return by_height if self.period is None else float(self.period)
 
     @cached_property
-    def model(self) -> ShearModel:
+    def model(self) -> shear_model.ShearModel:
         """The building as masses and stiffnesses."""
         values, period, isolated = STRUCTURES[self.structure], self.fixed_period, self.structure == ISOLATED
         masses = np.full(self.storeys, FLOOR_MASS)
-        stiffnesses = storey_stiffnesses(masses, period)
+        stiffnesses = shear_model.storey_stiffnesses(masses, period)
         zeta = values.damping if self.damping is None else self.damping
         ratio = np.full(self.storeys, values.post_yield if self.post_yield is None else self.post_yield)
         coefficient = self.yield_coefficient
         if coefficient is None:
-            coefficient = values.yield_coefficient * spectral_factor(period)
-        shears = coefficient * ai_distribution(masses, period) * (STANDARD_GRAVITY * weight_above(masses))
+            coefficient = values.yield_coefficient * shear_model.spectral_factor(period)
+        shears = (
+            coefficient
+            * shear_model.ai_distribution(masses, period)
+            * (STANDARD_GRAVITY * shear_model.weight_above(masses))
+        )
         damping = np.full(self.storeys, zeta)
         if isolated:  # the isolators are one more storey below, and the slab on them one more mass
             total = float(masses.sum()) + FLOOR_MASS
@@ -252,9 +245,9 @@ class Building(ShakenFloors, Brief):
             masses = np.append(FLOOR_MASS, masses)
             stiffnesses = np.append(layer, stiffnesses)
             shears, ratio = np.append(force, shears), np.append(self.isolation.post_yield, ratio)
-            modes = natural_modes(masses, stiffnesses)
-            damping = strain_energy_damping(modes, stiffnesses, np.append(layer_damping, damping))
-        return ShearModel(
+            modes = shear_model.natural_modes(masses, stiffnesses)
+            damping = shear_model.strain_energy_damping(modes, stiffnesses, np.append(layer_damping, damping))
+        return shear_model.ShearModel(
             masses.tolist(),
             stiffnesses.tolist(),
             damping.tolist(),

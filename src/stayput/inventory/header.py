@@ -10,21 +10,8 @@ from functools import partial
 
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, unknown
+from stayput.inventory import cells as reading
 from stayput.inventory import columns as column
-from stayput.inventory.cells import (
-    Cell,
-    CellReader,
-    in_own_unit,
-    is_empty,
-    number_of,
-    number_or_none,
-    numbers_read,
-    preset_called,
-    refuse_without_unit,
-    shown,
-    storey_called,
-    storey_meant,
-)
 from stayput.vocabulary import WORDS, meant
 
 LIKENESS = 0.8
@@ -77,8 +64,8 @@ class Header:
 
     def __init__(
         self,
-        cells: Sequence[Cell],
-        sample: Sequence[Sequence[Cell]] = (),
+        cells: Sequence[reading.Cell],
+        sample: Sequence[Sequence[reading.Cell]] = (),
         mapping: column.ColumnMapping | None = None,
         decimal_comma: bool = False,
     ) -> None:
@@ -101,7 +88,7 @@ class Header:
         self.free = [place for place, name in enumerate(names) if name and place not in taken]
         for name, times in Counter(map(column.plain_name, names)).items():
             if name and times > 1:
-                raise InputError("common.twice", name, name=shown(name))
+                raise InputError("common.twice", name, name=reading.shown(name))
         self._take_known()
         self._take_rest()
         self._refuse_what_is_unclear()
@@ -115,7 +102,7 @@ class Header:
                 stated = "" if unit is None or written else f" [{unit.name}]"
                 self.renamed.append(f"{name} = {names[place][:60]}{stated}")
 
-    def width_of(self, row: Sequence[Cell]) -> float | None:
+    def width_of(self, row: Sequence[reading.Cell]) -> float | None:
         """Return the size of a row's piece along the wall [m], or None where the row does not say it.
 
         It tells a piece that is narrower than deep. One without a unit has the depth's.
@@ -124,11 +111,11 @@ class Header:
             if place not in self.places.values() and part.base in column.WIDTHS:
                 unit = column.UNITS["m"].get(part.unit) or self.units.get("width")
                 with suppress(InputError):  # the column is not used otherwise: a row is not refused for it
-                    return number_of("width", row[place], "m", unit, self.decimal_comma)
+                    return reading.number_of("width", row[place], "m", unit, self.decimal_comma)
                 return None
         return None
 
-    def cells(self, row: Sequence[Cell]) -> dict[str, Cell]:
+    def cells(self, row: Sequence[reading.Cell]) -> dict[str, reading.Cell]:
         """Return the known cells of a row by their columns.
 
         Raises
@@ -139,22 +126,22 @@ class Header:
         if len(row) != len(self.names):
             raise InputError("inventory.row_length", cells=len(row), columns=len(self.names))
         for place, (name, cell) in enumerate(zip(self.names, row, strict=True), 1):
-            if not name and not is_empty(cell):
-                raise InputError("inventory.cell_without_name", cell=place, value=shown(cell))
+            if not name and not reading.is_empty(cell):
+                raise InputError("inventory.cell_without_name", cell=place, value=reading.shown(cell))
         cells = {name: row[place] for name, place in self.places.items()}
         for name, readers in self.readers.items():
             for read in readers:
                 cells[name] = read(cells[name])
-        if "name" in cells and is_empty(cells.get("preset")):
-            cells["preset"] = preset_called(cells["name"])
+        if "name" in cells and reading.is_empty(cells.get("preset")):
+            cells["preset"] = reading.preset_called(cells["name"])
         return cells
 
     def _doubt(self, key: str, place: int, settled: str | None = None, **values: object) -> None:
         """Note what is unclear about a column, and what settles it: by default that it is ignored."""
-        about = phrase(f"inventory_tables.doubt_{key}", header=shown(self.names[place]), **values)
+        about = phrase(f"inventory_tables.doubt_{key}", header=reading.shown(self.names[place]), **values)
         self.doubts.append((about, settled or f"{column.IGNORE}={self.names[place]}"))
 
-    def _column(self, place: int) -> list[Cell]:
+    def _column(self, place: int) -> list[reading.Cell]:
         """Return the cells of a column in the sample."""
         return [row[place] for row in self.sample if place < len(row)]
 
@@ -183,14 +170,14 @@ class Header:
         total, first_total = (self.parts[each].base in column.TOTALS for each in (place, first))
         if name == "width" and self.names[first].lower() == name and self.units[name] is None:
             settled = f"{self._proposed('width', place)},{column.IGNORE}={self.names[first]}"
-            self._doubt("width", place, settled, width=shown(self.names[first]))
+            self._doubt("width", place, settled, width=reading.shown(self.names[first]))
         elif name == "value" and first_total:
             self.unused.append(self.names[first][:200])
             self._take(name, place)
         elif name in ("name", "id") or (name == "value" and total):
             self.unused.append(self.names[place][:200])
         else:
-            self._doubt("twice", place, first=shown(self.names[first]), name=name)
+            self._doubt("twice", place, first=reading.shown(self.names[first]), name=name)
 
     def _take(self, name: str, place: int) -> None:
         kind, written = column.COLUMNS[name].unit, self.parts[place].unit
@@ -198,8 +185,8 @@ class Header:
         if self.units[name] is not None or not (written or kind in ("m", "kg")):
             return
         cells = self._column(place)
-        bare = not written and all(number_or_none(cell) is None for cell in cells)
-        if bare and any(in_own_unit(cell, kind) for cell in cells):
+        bare = not written and all(reading.number_or_none(cell) is None for cell in cells)
+        if bare and any(reading.in_own_unit(cell, kind) for cell in cells):
             self.in_own_units.add(name)
         else:
             self._doubt("unit", place, self._proposed(name, place))
@@ -228,7 +215,7 @@ class Header:
         floor, value = self.places.get("floor"), self.places.get("value")
         if floor is not None and "storey" not in self.places:
             cells = [str(cell) for cell in self._column(floor) if cell]
-            if cells and all(storey_called(cell) is not None for cell in cells):
+            if cells and all(reading.storey_called(cell) is not None for cell in cells):
                 self._doubt("floor", floor, f"storey={self.names[floor]}")
         if value is None or value in self.mapped or "count" not in self.places:
             return
@@ -269,20 +256,22 @@ class Header:
             fill=phrase("inventory_tables.fill") if "?" in proposal else "",
         )
 
-    def _readers(self, name: str) -> list[CellReader]:
+    def _readers(self, name: str) -> list[reading.CellReader]:
         """Return what makes the column's own text or number of its cells, one after another."""
         if name == "storey":
-            return [storey_meant]
+            return [reading.storey_meant]
         kind, unit = column.COLUMNS[name].unit, self.units[name]
-        readers: list[CellReader] = []
+        readers: list[reading.CellReader] = []
         if name in self.in_own_units:
-            readers.append(partial(refuse_without_unit, name))
+            readers.append(partial(reading.refuse_without_unit, name))
         if name in WORDS:
             readers.append(partial(meant, name))
         numeric = bool(kind) or name in (*column.LISTS, "count")
         if unit is not None or kind == "currency" or (self.decimal_comma and numeric):
             about = {"unit": kind, "stated": unit, "decimal_comma": self.decimal_comma}
-            readers.append(partial(numbers_read if name in column.LISTS else number_of, name, **about))
+            readers.append(
+                partial(reading.numbers_read if name in column.LISTS else reading.number_of, name, **about)
+            )
         return readers
 
     def _proposed(self, name: str, place: int) -> str:
@@ -292,18 +281,18 @@ class Header:
         return f"{name}={self.names[place]}" if known else f"{name}={self.names[place]}[?]"
 
 
-def _headings_in(row: Sequence[Cell]) -> list[str]:
+def _headings_in(row: Sequence[reading.Cell]) -> list[str]:
     """Return the headings in a row, of which there are two at least, and half of what it holds; else none."""
-    filled = [cell for cell in row if not is_empty(cell)]
+    filled = [cell for cell in row if not reading.is_empty(cell)]
     headings = [cell for cell in filled if isinstance(cell, str) and column.is_heading(cell)]
     return headings if len(headings) > 1 and 2 * len(headings) >= len(filled) else []
 
 
-def _refuse_headings_elsewhere(names: Sequence[str], sample: Sequence[Sequence[Cell]]) -> None:
+def _refuse_headings_elsewhere(names: Sequence[str], sample: Sequence[Sequence[reading.Cell]]) -> None:
     """Refuse headings that stand below a title, or go over two rows."""
     known, below_a_title = sum(map(column.is_heading, names)), not _headings_in(names)
     for row, cells in enumerate(sample[: ROWS_OF_A_TITLE if below_a_title else 1], 2):
         headings = _headings_in(cells)
         if len(headings) > (known if below_a_title else 0):
-            names_found = ", ".join(map(shown, headings[:SHOWN]))
+            names_found = ", ".join(map(reading.shown, headings[:SHOWN]))
             raise InputError("inventory_tables.headings_below", "inventory", row=row, found=names_found)

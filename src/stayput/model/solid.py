@@ -13,18 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stayput.errors import no_length, too_many
-from stayput.model import solid_fields
-from stayput.model.polyhedron import (
-    TOLERANCE,
-    check_size,
-    convex_hull,
-    inertia_of,
-    principal_axes,
-    size_of,
-    triangulated,
-    uniform_solid,
-    up_at_rest,
-)
+from stayput.model import polyhedron, solid_fields
 
 MOST_VERTICES = 500
 """Most corners of a body."""
@@ -119,15 +108,15 @@ class Solid:
         base: str | None = None,
     ) -> None:
         points = solid_fields.array_of_shape("vertices", vertices, (None, 3))
-        check_size(points, "vertices")
-        hull = convex_hull(points)
+        polyhedron.check_size(points, "vertices")
+        hull = polyhedron.convex_hull(points)
         if len(hull.vertices) > MOST_VERTICES:
             raise too_many(
                 "mechanics.the_body", len(hull.vertices), "solids.corners", MOST_VERTICES, "vertices"
             )
         mass = solid_fields.checked_mass(mass)
-        uniform = uniform_solid(hull.vertices, triangulated(hull.faces))
-        usual = mass * inertia_of(uniform.second_moments)
+        uniform = polyhedron.uniform_solid(hull.vertices, polyhedron.triangulated(hull.faces))
+        usual = mass * polyhedron.inertia_of(uniform.second_moments)
         fields: dict[str, Any] = {
             "vertices": solid_fields.read_only(hull.vertices),
             "faces": tuple(solid_fields.read_only(face) for face in hull.faces),
@@ -141,7 +130,7 @@ class Solid:
             "base": ("flat" if feet is None else "feet") if base is None else base,
         }
         fields["normals"] = solid_fields.read_only(hull.planes[:, :3])
-        moments, axes = principal_axes(fields["inertia"])
+        moments, axes = polyhedron.principal_axes(fields["inertia"])
         fields["principal"] = solid_fields.read_only(moments), solid_fields.read_only(axes)
         for name, value in fields.items():
             object.__setattr__(self, name, value)
@@ -174,21 +163,23 @@ class Solid:
         if self.feet is not None:
             return self.feet
         heights = self.vertices[:, 2]
-        return self.vertices[heights <= heights.min() + TOLERANCE * size_of(self.vertices)]
+        return self.vertices[
+            heights <= heights.min() + polyhedron.TOLERANCE * polyhedron.size_of(self.vertices)
+        ]
 
     @property
     def standing_rim(self) -> NDArray[np.float64] | None:
         """The circular edge that touches a level floor all around, if there is one."""
-        lowest = float(self.vertices[:, 2].min()) + TOLERANCE * size_of(self.vertices)
+        lowest = float(self.vertices[:, 2].min()) + polyhedron.TOLERANCE * polyhedron.size_of(self.vertices)
         level = (self.rims[:, 2] <= lowest) & (np.abs(self.rims[:, 5]) > 1.0 - 1e-9)
         return self.rims[np.argmax(level)] if self.feet is None and level.any() else None
 
     def _up_at_rest(self) -> NDArray[np.float64] | None:
-        tolerance = TOLERANCE * size_of(self.vertices)
+        tolerance = polyhedron.TOLERANCE * polyhedron.size_of(self.vertices)
         if (rim := self.standing_rim) is not None:
             stands = math.dist(self.centre_of_gravity[:2], rim[:2]) < rim[6]
             return solid_fields.read_only(np.array([0.0, 0.0, 1.0])) if stands else None
-        up = up_at_rest(self.base_points, self.centre_of_gravity, tolerance)
+        up = polyhedron.up_at_rest(self.base_points, self.centre_of_gravity, tolerance)
         return None if up is None else solid_fields.read_only(up)
 
     @property

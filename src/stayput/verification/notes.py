@@ -10,17 +10,8 @@ from typing import TYPE_CHECKING, Self
 
 import numpy as np
 
+from stayput import estimates
 from stayput.catalogue import Phrase, phrase
-from stayput.estimates import (
-    LOSS_MODEL_RATIO,
-    Everyday,
-    TipOverCase,
-    ishiyama_velocity,
-    kaneko_hayashi,
-    kaneko_hayashi_velocity,
-    rocking_acceleration,
-    tip_over,
-)
 from stayput.execution import Pool
 from stayput.fragility.intensity_measures import PFA, PFV
 from stayput.fragility.probabilities import percent
@@ -133,8 +124,11 @@ class Estimates:
         """Return the estimates of a scenario's body under the motions of a level."""
         gravity, shaking = scenario.gravity, scenario.shaking
         a, v = floors.measures[PFA], floors.measures[PFV]
-        a0, v0 = rocking_acceleration(body, gravity), ishiyama_velocity(body, gravity)
-        ratios = [kaneko_hayashi(body, float(x), float(y), gravity).ratio for x, y in zip(a, v, strict=True)]
+        a0, v0 = estimates.rocking_acceleration(body, gravity), estimates.ishiyama_velocity(body, gravity)
+        ratios = [
+            estimates.kaneko_hayashi(body, float(x), float(y), gravity).ratio
+            for x, y in zip(a, v, strict=True)
+        ]
         building = shaking.building
         storey, storeys = (1, 1) if building is None else (shaking.storey or 1, building.highest() - 1)
         return cls(
@@ -220,8 +214,8 @@ def _field(verdict: Verdict) -> Iterator[Phrase]:
     if not math.isfinite(median):
         return
     body = verdict.scenario.piece.body()
-    formula = kaneko_hayashi_velocity(body)
-    low = LOSS_MODEL_RATIO * formula
+    formula = estimates.kaneko_hayashi_velocity(body)
+    low = estimates.LOSS_MODEL_RATIO * formula
     yield phrase(
         "verification.field",
         median=100.0 * median,
@@ -288,11 +282,11 @@ def _grade(option: Option, verdict: Verdict) -> Phrase:
     )
 
 
-def everyday_cases(scenario: Scenario) -> tuple[tuple[TipOverCase, Phrase], ...]:
+def everyday_cases(scenario: Scenario) -> tuple[tuple[estimates.TipOverCase, Phrase], ...]:
     """Return the cases of tip-over without an earthquake, the smallest margin first, each in words."""
     everyday, body = _everyday(scenario), scenario.piece.body()
 
-    def said(case: TipOverCase) -> Phrase:
+    def said(case: estimates.TipOverCase) -> Phrase:
         height = min(everyday.pull_height, body.height)
         key = f"verification.everyday_{case.name}"
         words = phrase(key, drawers=everyday.drawers, load=everyday.load, pull=everyday.pull, height=height)
@@ -300,10 +294,10 @@ def everyday_cases(scenario: Scenario) -> tuple[tuple[TipOverCase, Phrase], ...]
             return words
         return phrase("verification.everyday_on_carpet", case=words, carpet=1e3 * everyday.carpet)
 
-    return tuple((case, said(case)) for case in tip_over(body, everyday, scenario.gravity))
+    return tuple((case, said(case)) for case in estimates.tip_over(body, everyday, scenario.gravity))
 
 
-def _everyday(scenario: Scenario) -> Everyday:
+def _everyday(scenario: Scenario) -> estimates.Everyday:
     """Return what people do to the piece where it stands."""
     return scenario.everyday.everyday(scenario.piece.preset, scenario.room.room().floor.surface)
 
@@ -312,7 +306,7 @@ def everyday_note(verdict: Verdict) -> Phrase:
     """Return the case in which the piece tips over most easily without an earthquake, and its margin."""
     furniture = verdict.scenario.piece
     everyday = _everyday(verdict.scenario)
-    tags = [about.tag(getattr(everyday, about.name)) for about in parameters(Everyday)]
+    tags = [about.tag(getattr(everyday, about.name)) for about in parameters(estimates.Everyday)]
     worst, said = everyday_cases(verdict.scenario)[0]
     return phrase(
         "verification.everyday_tips" if worst.tips else "verification.everyday_stays",

@@ -24,23 +24,10 @@ import numpy as np
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, excerpt, shown, unknown, warn, without_control
 from stayput.files import named_columns
+from stayput.motion import units as known_units
 from stayput.motion.channels import LISTED, Channel, in_borehole, is_direction, labels_phrase
 from stayput.motion.readers.headings import Headings, is_time, is_title, read_headings, split, units_in
 from stayput.motion.readers.text import Reader, check_count, lines, not_as_stated, numbers
-from stayput.motion.units import (
-    axes_of,
-    column_factors,
-    known_unit,
-    not_the_files_own,
-    other_quantities,
-    regular_step,
-    stated_factor,
-    stated_step,
-    stated_unit,
-    time_step,
-    unit_factor,
-    without_unit,
-)
 from stayput.wording import joined
 
 _COMMENT = ("#", "%", "//", "!")
@@ -158,20 +145,24 @@ def read_columns(
     values = _numbers_at(text, skipped + counted, places, chosen=bool(chosen), counted=counted)
     table = numbers(values, "the_numbers").reshape(-1, len(places))
     above = head.comments + head.titles
-    if line := stated_factor(above):
+    if line := known_units.stated_factor(above):
         raise InputError("motion.column_factor", "skip_lines", line=excerpt(line), option="skip_lines")
-    units = {unit_factor(name): name for name in map(stated_unit, above) if name and known_unit(name)}
+    units = {
+        known_units.unit_factor(name): name
+        for name in map(known_units.stated_unit, above)
+        if name and known_units.known_unit(name)
+    }
     if len(units) > 1:
         first, second, *_ = map(excerpt, units.values())
         raise InputError("motion.stated_twice", what=phrase("motion.the_unit"), first=first, second=second)
-    written = stated_step("\n".join(above))
+    written = known_units.stated_step("\n".join(above))
     timeless = "t" not in chosen if chosen else len(places) == 1
     # The headings of chosen columns begin with one of the time, whether the file has that or not.
     shift = 1 if chosen and timeless else 0
-    factors = column_factors(
+    factors = known_units.column_factors(
         headings,
         len(places) + shift,
-        next(filter(None, map(stated_unit, above)), None),
+        next(filter(None, map(known_units.stated_unit, above)), None),
         unit,
         "\n".join(above),
         step_missing=timeless and dt is None and written is None and not counted,
@@ -186,23 +177,23 @@ def read_columns(
             if (dt := written if dt is None else dt) is None:
                 raise InputError("motion.time_counts", "dt", first=times[0], second=times[1], option="dt")
             times = dt * times
-        step = regular_step(times)
+        step = known_units.regular_step(times)
         # The column's times are rounded: the two may differ by a fifth of a step at the last sample.
         if dt is not None and abs(dt - step) * (len(table) - 1) > 0.2 * step:
-            raise not_the_files_own("dt", f"{dt:g} s", f"{step:g} s")
+            raise known_units.not_the_files_own("dt", f"{dt:g} s", f"{step:g} s")
         if written is not None and abs(written - step) > _STATED_STEP * step:
             raise not_as_stated("the_time_step", written, step, " s")
-        step = time_step(step if dt is None else dt, None)
+        step = known_units.time_step(step if dt is None else dt, None)
     elif counted:
         stated, size = sorted(numbers(split(head.rows[0]), "the_line_before_the_samples").tolist())
         check_count(len(table), size)
-        step = time_step(stated, dt)
+        step = known_units.time_step(stated, dt)
     else:
         # Some files begin with the number of samples: nearly as large as the number of lines, and no sample.
         if len(table) > 10 and 1 <= len(table) - table[0, 0] <= 2:
             number = float(table[0, 0])
             raise InputError("motion.column_count_first", "skip_lines", number=number, option="skip_lines")
-        step = time_step(written, dt)
+        step = known_units.time_step(written, dt)
     if chosen:
         labels = headings.names[shift:] or [""] * len(places)
     elif timeless:
@@ -218,7 +209,7 @@ def read_columns(
             location=" ".join(above),
             borehole=in_borehole(label, above),
             role=roles[i] if chosen else "",
-            heading=without_unit(headings.texts[i]) if headings.texts and not chosen else "",
+            heading=known_units.without_unit(headings.texts[i]) if headings.texts and not chosen else "",
             note=f", column {places[i] + 1}" if chosen else "",
         )
         for i, label in enumerate(labels)
@@ -250,14 +241,17 @@ def _usual_columns(head: _Head, counted: bool) -> tuple[Sequence[int], Headings]
     count = 1 if counted else len(split(head.rows[0]))
     places: Sequence[int] = range(count)
     headings = read_headings(head.titles, head.comments, count, head.rows[0])
-    if others := other_quantities(headings):
+    if others := known_units.other_quantities(headings):
         left_out = labels_phrase(headings.texts[place] for place in others)
         warn(InputWarning("motion.columns_left_out", "columns", columns=left_out))
         places = [place for place in places if place not in others]
         headings = headings.at(places)
     of_directions = all(is_direction(name) for i, name in enumerate(headings.names) if i != headings.time)
     if len(places) not in _LABELS and not (headings.names and of_directions):
-        example = ",".join(f"{role}={place + 1}" for role, place in axes_of(headings).items()) or "t=1,x=2"
+        example = (
+            ",".join(f"{role}={place + 1}" for role, place in known_units.axes_of(headings).items())
+            or "t=1,x=2"
+        )
         raise InputError("motion.column_count", columns=len(places), option="columns", example=example)
     return places, headings
 

@@ -18,21 +18,8 @@ from stayput.report.page import framed, rendered, write_page
 from stayput.report.room.elevation import SIZES, elevation_scale, elevation_svg, plan_scale, sizes_of
 from stayput.report.room.plan import numbered_plan
 from stayput.report.room.sheet import PlanSheet
+from stayput.rooms import step_words
 from stayput.rooms.purchases import MARGIN, QUANTILE
-from stayput.rooms.step_words import (
-    capital,
-    changes_nothing,
-    checks,
-    effects,
-    falls,
-    heading,
-    not_strong_enough,
-    sets_not_taken,
-    to_buy,
-    what_it_brings,
-    where,
-    worth_telling,
-)
 from stayput.rooms.steps import COST_BOUNDS, ActionPlan, Fix, PlanStep
 from stayput.uncertainty import USUAL, Lognormal
 from stayput.verification.room_words import motion_phrase, piece_name, piece_within
@@ -83,7 +70,10 @@ def plan_html(plan: ActionPlan, language: str = "en") -> str:
         "dead_end": _dead_end(plan, language),
         "checks": _checks(plan, language),
         "not_taken": [
-            (say(capital(piece_name(name)), language), say(sets_not_taken(reasons), language))
+            (
+                say(step_words.capital(piece_name(name)), language),
+                say(step_words.sets_not_taken(reasons), language),
+            )
             for name, reasons in plan.not_taken.items()
         ],
         "rough": any(step.grade == max(MEANINGS) for step in plan.steps),
@@ -95,10 +85,10 @@ def plan_html(plan: ActionPlan, language: str = "en") -> str:
 
 def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
     """Yield how it is, how it would be, and what was asked for."""
-    verdict, together, falling = plan.verdict, plan.together, falls(plan)
+    verdict, together, falling = plan.verdict, plan.together, step_words.falls(plan)
     if together is None and falling is None and not plan.unsolved:
         yield phrase("action_plan.nothing")
-    chances = {} if together is None else worth_telling(together, plan)
+    chances = {} if together is None else step_words.worth_telling(together, plan)
     if chances:
         now, then = (
             joined(
@@ -168,8 +158,12 @@ def _checks(plan: ActionPlan, language: str) -> list[tuple[str, str]]:
     numbered: dict[tuple[bool, Phrase], list[str]] = {}
     for number, step in enumerate(plan.steps, 1):
         empty = "" if step.overturned is None else phrase("action_plan.empty")
-        ways = [[phrase("action_plan.check_move", empty=empty)] if step.fix is None else checks(step.fix)]
-        ways += [] if step.instead is None else [checks(step.instead)]
+        ways = [
+            [phrase("action_plan.check_move", empty=empty)]
+            if step.fix is None
+            else step_words.checks(step.fix)
+        ]
+        ways += [] if step.instead is None else [step_words.checks(step.instead)]
         for undrilled, way in enumerate(ways):
             numbered.setdefault((bool(undrilled), joined(way, "action_plan.next")), []).append(str(number))
     steps = {key: ", ".join(numbers) for key, numbers in numbered.items()}
@@ -185,7 +179,7 @@ def _row(number: int, plan: ActionPlan, scale: int, language: str) -> dict[str, 
     grade = {"grade": step.grade.value, "meaning": MEANINGS[step.grade]}
     return {
         "number": number,
-        "heading": say(heading(step, plan), language),
+        "heading": say(step_words.heading(step, plan), language),
         "decided": text("decided") if step.decided else "",
         "cost": text("free") if step.fix is None else text("cost", level=step.cost_class),
         "grade": step.grade.value,
@@ -237,7 +231,7 @@ def _block(
     fix: Fix | None, lines: Iterable[tuple[str, Phrase]], plan: ActionPlan, language: str
 ) -> dict[str, Any]:
     """Return what is said of a move or of measures: that they are too weak, and lines with headings."""
-    weak = None if fix is None else not_strong_enough(fix, plan)
+    weak = None if fix is None else step_words.not_strong_enough(fix, plan)
     return {
         "warning": None if weak is None else [say(sentence, language) for sentence in weak],
         "lines": [(_own(language, key), say(sentence, language)) for key, sentence in lines],
@@ -249,8 +243,11 @@ def _lines(number: int, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
     step = plan.steps[number - 1]
     fix = step.fix
     if fix is not None:
-        yield "buy", joined(to_buy(purchase, fix) for purchase in fix.purchases)
-        yield "where", joined((where(purchase, fix) for purchase in fix.purchases), "action_plan.next")
+        yield "buy", joined(step_words.to_buy(purchase, fix) for purchase in fix.purchases)
+        yield (
+            "where",
+            joined((step_words.where(purchase, fix) for purchase in fix.purchases), "action_plan.next"),
+        )
     sentences: list[Phrase] = []
     if (was := step.overturned) is not None:  # else it is the place of a person that is moved
         body = plan.verdict.scenario.names.index(step.what)
@@ -258,7 +255,7 @@ def _lines(number: int, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
         now = moved if fix is None else fix.overturns
         if fix is not None or now.share != was.share:
             sentences.append(_overturns(was, now))
-    sentences += what_it_brings(number, plan)
+    sentences += step_words.what_it_brings(number, plan)
     yield "reaches" if fix is not None and fix.too_weak else "effect", joined(sentences, "action_plan.next")
     if fix is not None and fix.cautions:
         yield "caution", joined(fix.cautions, "action_plan.next")
@@ -267,10 +264,10 @@ def _lines(number: int, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
 def _lines_of_other(fix: Fix, was: Probability, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
     """Yield the same of another way, for a piece that overturns so often as the room is."""
     sentences = [_overturns(was, fix.overturns)]
-    if not changes_nothing(fix.alone, plan):
-        sentences.append(effects(fix.alone, plan))
+    if not step_words.changes_nothing(fix.alone, plan):
+        sentences.append(step_words.effects(fix.alone, plan))
     yield "reaches" if fix.too_weak else "effect", joined(sentences, "action_plan.next")
-    yield "buy", joined(to_buy(purchase, fix) for purchase in fix.purchases)
+    yield "buy", joined(step_words.to_buy(purchase, fix) for purchase in fix.purchases)
     if fix.cautions:
         yield "caution", joined(fix.cautions, "action_plan.next")
 

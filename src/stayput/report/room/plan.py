@@ -15,22 +15,7 @@ from numpy.typing import NDArray
 from stayput.catalogue import Phrase, say
 from stayput.catalogue.names import STABILITY
 from stayput.montecarlo.counting import OVERTURNED
-from stayput.report.room.sheet import (
-    FONT,
-    Box,
-    PlanLabel,
-    PlanSheet,
-    door_svg,
-    names_svg,
-    overlap,
-    place_svg,
-    places_of_names,
-    scale_svg,
-    titled,
-    walls_svg,
-    window_svg,
-    wrapped,
-)
+from stayput.report.room import sheet as paper
 from stayput.report.verdict import numbers, svg
 from stayput.verification.events import CELL
 from stayput.verification.room_words import door_name, people_in, piece_name, place_name
@@ -92,7 +77,7 @@ def plan_svg(
     notes: Mapping[str, str] | None = None,
     moved: Iterable[tuple[NDArray[np.float64], NDArray[np.float64]]] = (),
     numbered: Mapping[str, str] | None = None,
-    letters: float = FONT,
+    letters: float = paper.FONT,
 ) -> DrawnPlan:
     """Return the plan of a room, to scale and with y upwards; its style is canvas/plan.css.
 
@@ -118,9 +103,9 @@ def plan_svg(
     letters : float
         Size of the letters of names [px].
     """
-    sheet, noted, marks = PlanSheet(plan), notes or {}, numbered or {}
+    sheet, noted, marks = paper.PlanSheet(plan), notes or {}, numbered or {}
     colon = say("common.colon", language)
-    content, labels, keys, names = [walls_svg(sheet)], list[PlanLabel](), list[str](), list[str]()
+    content, labels, keys, names = [paper.walls_svg(sheet)], list[paper.PlanLabel](), list[str](), list[str]()
 
     def titles(key: str, called: Phrase, aside: str = "") -> tuple[str, str]:
         """Return a name as it stands on the plan, and what a screen reader says of it."""
@@ -128,49 +113,49 @@ def plan_svg(
         name = f"{marks[key]} {name}" if key in marks else name
         return name, f"{name}{aside}{colon}{noted[key]}" if key in noted else f"{name}{aside}"
 
-    def add(key: str, name: str, drawn: str, box: Box, mark: str = "") -> None:
+    def add(key: str, name: str, drawn: str, box: paper.Box, mark: str = "") -> None:
         content.append(drawn)
-        labels.append(PlanLabel(wrapped(name), noted.get(key, ""), box))
+        labels.append(paper.PlanLabel(paper.wrapped(name), noted.get(key, ""), box))
         keys.append(mark)
         names.append(name)
 
     for place, kind in zip(plan.places, kinds, strict=True):
         name, title = titles(place.name, place_name(place))
         box = sheet.box_of(place.corners)
-        add(place.name, name, place_svg(sheet, place, kind, title), box, place.name)
+        add(place.name, name, paper.place_svg(sheet, place, kind, title), box, place.name)
     called = [titles(piece.name, piece_name(piece.name)) for piece in pieces]
     content += [
-        titled(title, covers_svg(sheet, covers, end))
+        paper.titled(title, covers_svg(sheet, covers, end))
         for end in ENDS
         for piece, (_, title) in zip(pieces, called, strict=True)
         if (covers := getattr(piece, end)) is not None
     ]
     for piece, (name, title) in zip(pieces, called, strict=True):
         box = sheet.box_of(piece.outline)
-        add(piece.name, name, titled(title, _piece_svg(sheet, piece)), box, piece.name)
-    content += [window_svg(sheet, window, language) for window in plan.windows]
+        add(piece.name, name, paper.titled(title, _piece_svg(sheet, piece)), box, piece.name)
+    content += [paper.window_svg(sheet, window, language) for window in plan.windows]
     things = [label.box for label in labels]
     for door in plan.doors:
         opens = say("common.aside", language, content=say(f"room_report.{door.opens}", language))
         name, title = titles(door.name, door_name(door), opens)
-        add(door.name, name, door_svg(sheet, door, title), _before(sheet, door))
-    boxes = places_of_names(labels, things, sheet.floor, letters)
+        add(door.name, name, paper.door_svg(sheet, door, title), _before(sheet, door))
+    boxes = paper.places_of_names(labels, things, sheet.floor, letters)
     legend: list[tuple[str, str]] = []
-    if marks and overlap(boxes):
+    if marks and paper.overlap(boxes):
         short = iter(ascii_lowercase)
         for i, (key, name) in enumerate(zip(keys, names, strict=True)):
             if (mark := marks.get(key) or next(short, None)) is not None:
                 labels[i] = labels[i]._replace(lines=(mark,))
                 legend += [] if key in marks else [(mark, name)]
-        boxes = places_of_names(labels, things, sheet.floor, letters)
+        boxes = paper.places_of_names(labels, things, sheet.floor, letters)
     content += [_moved_svg(sheet, before, after) for before, after in moved]
-    content += [scale_svg(sheet, language), names_svg(labels, boxes, letters)]
+    content += [paper.scale_svg(sheet, language), paper.names_svg(labels, boxes, letters)]
     listed = say("common.listed", language).join(names)
     alt = say("room_report.plan_alt", language, width=plan.width, length=plan.length, content=listed)
     return DrawnPlan(svg.drawing(*sheet.size, content, alt, "plan-room"), tuple(legend))
 
 
-def _before(sheet: PlanSheet, door: Door) -> Box:
+def _before(sheet: paper.PlanSheet, door: Door) -> paper.Box:
     """Return the floor before a door."""
     ends = (door.start, door.start + door.width)
     return sheet.box_of(
@@ -178,7 +163,7 @@ def _before(sheet: PlanSheet, door: Door) -> Box:
     )
 
 
-def _piece_svg(sheet: PlanSheet, piece: DrawnPiece) -> str:
+def _piece_svg(sheet: paper.PlanSheet, piece: DrawnPiece) -> str:
     """Return the outline of a piece, and a line along a side that faces to the front and is most of it."""
     drawn = sheet.polygon(piece.outline, f"standing {piece.stability or 'unknown'}")
     x, y = math.cos(piece.heading), math.sin(piece.heading)
@@ -191,7 +176,7 @@ def _piece_svg(sheet: PlanSheet, piece: DrawnPiece) -> str:
     return drawn
 
 
-def covers_svg(sheet: PlanSheet, covers: NDArray[np.float64], end: str) -> str:
+def covers_svg(sheet: paper.PlanSheet, covers: NDArray[np.float64], end: str) -> str:
     """Return the cells on which a piece comes to one of `ENDS`, darker where it does so more often."""
     steps = np.ceil(STEPS * covers - 1e-9).astype(np.intp)
     return "".join(
@@ -201,7 +186,7 @@ def covers_svg(sheet: PlanSheet, covers: NDArray[np.float64], end: str) -> str:
     )
 
 
-def _cells(sheet: PlanSheet, chosen: NDArray[np.bool_]) -> str:
+def _cells(sheet: paper.PlanSheet, chosen: NDArray[np.bool_]) -> str:
     """Return the outline of cells of the floor: one rectangle for those that are side by side along x."""
     padded = np.pad(chosen, ((1, 1), (0, 0))).astype(np.int8)
     change = np.diff(padded, axis=0).T
@@ -215,7 +200,7 @@ def _cells(sheet: PlanSheet, chosen: NDArray[np.bool_]) -> str:
     return "".join(parts)
 
 
-def _moved_svg(sheet: PlanSheet, before: NDArray[np.float64], after: NDArray[np.float64]) -> str:
+def _moved_svg(sheet: paper.PlanSheet, before: NDArray[np.float64], after: NDArray[np.float64]) -> str:
     """Return where something was moved from, and an arrow from there."""
     start, end = (np.array(sheet.place(*corners.mean(axis=0).tolist())) for corners in (before, after))
     away = end - start
@@ -286,7 +271,7 @@ def numbered_plan(
     moves: Iterable[Change],
     language: str,
     numbered: Mapping[str, str] | None = None,
-    letters: float = FONT,
+    letters: float = paper.FONT,
 ) -> DrawnPlan:
     """Return a plan of the room with some things moved, and numbers before names or in their place.
 
