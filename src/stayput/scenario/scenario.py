@@ -374,7 +374,7 @@ def read_scenario(path: str | Path) -> Scenario:
     >>> for option in scenario.options:
     ...     run = scenario.run(option.measures)
     ...     print(f"{option.name}: {run.outcome}")
-    felt_glides: rocked
+    felt_glides: overturned
     belt: rocked
     l_bracket: rocked
     stopper and poles: overturned

@@ -72,10 +72,10 @@ LEAST, RIM_LEAST = 0.25, 0.02
 FINER = 0.25
 """The latter where contacts begin or end to slip, over the latter otherwise: friction jumps there."""
 
-TOLERANCE, SLIDING, HELD_TOLERANCE, RIM_TOLERANCE = 1e-1, 3e-3, 1e-2, 1e-4
+TOLERANCE, SLIDING, RIM_TOLERANCE = 1e-2, 1e-3, 1e-4
 """Difference of a step and its halves, over its length, up to which it is not shortened [m/s]; the same where
-something slips, whose way may turn fast; where devices hold a body, whose peaks of force decide; and where a
-body has a rim, which turns fast where it rolls nearly flat.
+something slips that nothing holds, whose way may turn fast; and where a body has a rim, which turns fast
+where it rolls nearly flat.
 """
 
 SEVERAL = 1e-7
@@ -248,8 +248,8 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
                 continue
             pace[LENGTH] = min(GROWS * h, most) if slow else min(max(pace[LENGTH], 2.0 * h), longest)
             return h, count, least, False
-        within = TOLERANCE if all_stick(contacts, count) else SLIDING
-        within = RIM_TOLERANCE if round_edges else (HELD_TOLERANCE if springs else within)
+        slides = not springs and not all_stick(contacts, count)
+        within = RIM_TOLERANCE if round_edges else (SLIDING if slides else TOLERANCE)
         keep(contacts, count, kept[1], scratch[7][3])
         _copy_devices(held[1], held[2], scratch[9], scratch[10])
         allowed = within * h if poses.shape[1] == 1 else max(within * h, SEVERAL)
