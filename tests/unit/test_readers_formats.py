@@ -202,7 +202,14 @@ def test_csmip_channels_in_any_case_and_layout(read):
 
 
 @pytest.mark.parametrize(
-    "end", [END, END.upper(), "End of data for channel 1\n", "End-of-data for Chan HNE acceleration\n"]
+    "end",
+    [
+        END,
+        END.upper(),
+        "End of data for channel 1\n",
+        "End-of-data for Chan HNE acceleration\n",
+        "End-of-data for 1111.HNE.XX.-- acceleration\n",
+    ],
 )
 @pytest.mark.parametrize("kind", ["acceleration", "accel.", "uncor. accel.", "corrected acceleration"])
 def test_cosmos_blocks_and_their_ends_in_the_spellings_in_use(read, end, kind):
@@ -213,6 +220,12 @@ def test_cosmos_blocks_and_their_ends_in_the_spellings_in_use(read, end, kind):
     for name, size in (("x", 0.01), ("y", 0.02), ("z", 0.03)):
         assert motion.components[name] == pytest.approx(size * WAVE)
     assert read(THREE_COSMOS, component="EW")[0].z == pytest.approx(0.02 * WAVE)
+
+
+def test_cosmos_has_the_direction_of_the_last_line_where_no_other_states_one(read, refusal):
+    text = cosmos(label="", end="End-of-data for 1111.HNE.XX.-- acceleration\n")
+    assert read(text)[0].source == "COSMOS V1.20: x = HNE"
+    assert "raw counts" in str(refusal(text.replace("cm/sec2(04)", "counts (50)")))
 
 
 def test_cosmos_velocities_are_passed_over_and_a_missing_interval_is_given(read):
@@ -299,6 +312,7 @@ REFUSED = {
         (csmip_channel(1, "90 DEG", unit="  (UNITS: G/10)"), "'G/10'"),
         (csmip_channel(1, "90 DEG").split("/&")[0], "must be complete"),
         (csmip_channel(1, "90 DEG").replace("FOR CHANNEL  1", "FOR CHANNEL  2"), "number both 1 and 2"),
+        (csmip_channel(2, "Tran (Sta Chn: 25)").replace("FOR CHANNEL  2", "FOR CHANNEL  5"), "both 2 and 5"),
         (csmip_channel(1, "90 DEG").replace("AT  .020", "AT  .030", 1), "they must last as long"),
         (
             csmip_channel(1, "90 DEG") + csmip_channel(2, "90 DEG") + csmip_channel(3, "UP") * 2,
@@ -354,5 +368,7 @@ def test_csmip_channels_that_are_missing_or_of_two_directions_are_told(read):
     motion, warned = read(csmip_channel(1, "90 DEG", integers=integers))
     assert motion.x == pytest.approx(0.01 * WAVE)
     assert "The header counts 3 channels and the file has 1" in str(warned[0])
+    of_station = csmip_channel(2, "Tran (Sta Chn: 25)").replace("FOR CHANNEL  2", "FOR CHANNEL 25")
+    assert read(of_station)[0].source == "CSMIP V2: x = Tran"
     _, warned = read("UP DEG".join(csmip_channel(1, "90 DEG").rsplit("90 DEG", 1)))
     assert "the directions '90 DEG', 'UP DEG'; '90 DEG' is taken" in str(warned[0])

@@ -77,7 +77,8 @@ def _on_page(note: T) -> T:
         if option in _CONTROLS:
             ways[key] = phrase("app.control", label=phrase(_CONTROLS[option]))
         elif option in OPTIONS:
-            ways[key], field = phrase("app.flag", flag=f"--{option.replace('_', '-')}"), None
+            flag = "--columns" if option == "columns" else f"--set shaking.{option}"
+            ways[key], field = phrase("app.flag", flag=flag), None
     return type(note)(note.code, field, context=note.context, **note.values | ways) if ways else note
 
 

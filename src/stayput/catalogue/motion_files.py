@@ -217,10 +217,10 @@ TEXTS: dict[str, tuple[str, str]] = {
                        "s; they must last as long."),
                       ("チャンネル{channel}の加速度の長さは{lasts:g}秒、「{kind}」は{other:g}秒です。"
                        "同じ長さでなければなりません。")),
-    "csmip_channels_missing": (("The header counts {stated} channels and the file has {count}; it may "
-                                "have been cut."),
-                               ("ヘッダーによるとチャンネルは{stated}個ですが、"
-                                "ファイルには{count}個しかなく、途中で切れているかもしれません。")),
+    "csmip_channels_missing": (("The header counts {stated} channels and the file has {count}; the others "
+                                "are in files of their own, or it was cut."),
+                               ("ヘッダーによるとチャンネルは{stated}個ですが、ファイルには{count}個しかありません。"
+                                "残りは別のファイルにあるか、途中で切れています。")),
     "velocity": ("velocity", "速度"),
     "displacement": ("displacement", "変位"),
     "counts": ("raw counts or volts of a recorder", "収録器の生のカウント値や電圧"),

@@ -179,7 +179,7 @@ def _allowed(kind: str, param: Any) -> Phrase:
 _ARGUMENTS = ("option", "other_option")
 """Values of sentences that name an argument, which is a flag of the command line."""
 
-_OF_RECORDS = ("unit", "dt", "component", "columns", "decimal_comma", "location", "remove_mean")
+_OF_RECORDS = ("unit", "dt", "component", "columns", "skip_lines", "decimal_comma", "location", "remove_mean")
 """What is said of how a record is read, in sentences about it."""
 
 

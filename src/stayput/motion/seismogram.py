@@ -151,7 +151,6 @@ def read(
     InputError
         ObsPy is absent, the file is damaged or of no acceleration, no unit; or as `channels_of_traces`.
     """
-    acceleration_unit(None, unit)
     try:
         from obspy import read as obspy_read
     except ImportError:
@@ -168,6 +167,7 @@ def read(
             if values := other_instrument(trace):
                 raise InputError("motion.other_instrument", **values)
             time_step(float(trace.stats.delta), dt)
+        acceleration_unit(None, unit)  # asked for once the file is known to be of accelerometers
         return channels_of_traces(traces, unit or "", None, location)
     except InputError:
         raise

@@ -42,7 +42,8 @@ _BLOCK = re.compile(
 _UNIT = re.compile(r"(?:UNITS: ?|\bIN )([^ ),]{1,20})", re.IGNORECASE)
 _FIELDS = re.compile(r"\(([0-9]{1,3})[FEG]([0-9]{1,2})\.[0-9]{1,2}\)", re.IGNORECASE)
 _CHANNEL = re.compile(r"\bCHAN +([0-9]{1,3}):(.*)", re.IGNORECASE)
-_FROM = re.compile(r" {2}| FROM\b", re.IGNORECASE)
+_OF_STATION = re.compile(r"\(STA CHN: ?([0-9]{1,3})\)", re.IGNORECASE)
+_FROM = re.compile(r" {2}| FROM\b| \(STA CHN", re.IGNORECASE)
 _PEAK = re.compile(r"PEAK ACCELERATION ?= ?([^ ]{1,20}) ([^ ]{1,20})", re.IGNORECASE)
 _CSMIP_END = re.compile(r"END OF DATA FOR CHANNEL ([0-9]{1,3})\b", re.IGNORECASE)
 _HEAD = 20_000  # characters at the beginning in which the first block is looked for
@@ -67,8 +68,12 @@ _LABEL = re.compile(
     r"Chan[^:]{0,12}: ?([0-9]{1,3}(?= ?Deg)|Up|Down|Vert|[NEZVHU][A-Z0-9\-]{0,4}\b)", re.IGNORECASE
 )
 _COSMOS_END = re.compile(
-    rf"(?:/& ?-* ?)?End[- ]of[- ]data for chan(?:nel)? ?([^ ]{{1,8}})(?:$| -+| {_KIND}(?: |$))", re.IGNORECASE
+    r"(?:/& ?-* ?)?End[- ]of[- ]data for "
+    r"(?:chan(?:nel)? ?([^ ]{1,8})|[^ .]{1,8}\.([^ .]{1,3})\.[^ ]{1,8})"
+    rf"(?:$| -+| {_KIND}(?: |$))",
+    re.IGNORECASE,
 )
+"""The last line of samples has the channel's number or code, or station.channel.network.location."""
 
 
 def _plain(line: str) -> str:
@@ -151,10 +156,16 @@ def _csmip_block(rest: _Lines) -> _Block | None:
 
 
 def _check_number(header: list[str], last_line: str, position: int) -> str:
-    """Return the channel's direction; its numbers in the header and in the last line must agree."""
+    """Return the channel's direction; its numbers in the header and in the last line must agree.
+
+    The last line may have the station's number of the channel where the header has the recorder's too.
+    """
     matches = list(filter(None, map(_CHANNEL.search, header)))
     end = _CSMIP_END.search(_plain(last_line))
-    numbers = {int(m[1]) for m in matches} | ({int(end[1])} if end else set[int]())
+    of_station = {int(m[1]) for line in header if (m := _OF_STATION.search(_plain(line)))}
+    numbers = {int(m[1]) for m in matches}
+    if end and int(end[1]) not in of_station:
+        numbers.add(int(end[1]))
     if len(numbers) > 1:
         first, second, *_ = sorted(numbers)
         what = phrase("motion.the_number")
@@ -271,7 +282,7 @@ def _cosmos_channel(
     rest.skip_to(_ends_samples)
     end = _COSMOS_END.match(last := _plain(rest.take()))
     assert end is not None
-    if end[2] is not None and end[2].lower() != kind:
+    if end[3] is not None and end[3].lower() != kind:
         raise InputError("motion.header_line", line=excerpt(last), wanted=excerpt(kind))
     if kind != "accel":
         return None
@@ -282,7 +293,7 @@ def _cosmos_channel(
     lasts = _LASTS.search(line)
     if lasts is not None and abs(points * step - int(lasts[1])) > 1.0 + 0.01 * int(lasts[1]):
         raise not_as_stated("duration", int(lasts[1]), points * step, " s")
-    label = next((m[1] for title in titles if (m := _LABEL.search(title))), end[1])
+    label = next((m[1] for title in titles if (m := _LABEL.search(title))), end[1] or end[2])
     event = titles[1].removeprefix("Record of ") if len(titles) > 1 else ""
     stated_peak = None if math.isnan(peak) else peak * factor
     origin = f"{event}, {next((title for title in titles if title.startswith('Statn No')), '')}"
