@@ -9,6 +9,7 @@ import stayput as sp
 from stayput.measures import (
     AgainstWall,
     AntiSlipSheet,
+    BaseIsolator,
     Belt,
     GelMats,
     LBracket,
@@ -171,3 +172,15 @@ def test_devices_are_in_the_dataset_the_summary_and_the_table():
 def test_a_film_shows_a_device_whole_till_it_fails():
     run = sp.simulate(BOOKCASE, ROOM, SHAKE, [LBracket(strength=100.0)])
     assert {tie.lost for tie in film_of(run).scene.ties} == {run.device_failure_time}
+
+
+@pytest.mark.parametrize("length", [None, 0.9], ids=["plane", "space"])
+def test_what_a_piece_slides_within_the_stroke_of_its_isolator_does_not_count(length):
+    chest, stroke = sp.Body(0.8, 0.6, 100.0, length=length), 0.3
+    options, shake = {"isolator": [BaseIsolator(stroke=stroke)]}, SHAKE.scaled(0.7)
+    assert sp.simulate(chest, sp.Room(), shake, options["isolator"]).peak_slide > 0.15
+    verdict = sp.verify(chest, shaking=shake, measures=options, samples=2, levels=[], progress=False)
+    isolated = next(option for option in verdict.options if option.option.name == "isolator")
+    assert isolated.probabilities["slid"].estimate == 0.0
+    assert isolated.slide.p90 < 0.05
+    assert isolated.rank == 1

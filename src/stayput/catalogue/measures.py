@@ -74,10 +74,11 @@ TEXTS: dict[str, tuple[str, str]] = {
                               "強い揺れでの転倒も防げない。")),
     "base_isolator": ("Furniture base isolator", "家具用免震装置"),
     "base_isolator_about": (("The piece stands on a tray that slides easily, so that little shaking "
-                             "reaches it; where the floor moves more than the stroke, the stops hit and "
-                             "may tip it."),
-                            ("滑りやすい台に載せて揺れを伝えにくくするが、"
-                             "床の動きが可動範囲を超えるとストッパーに当たり、倒れることがある。")),
+                             "reaches it, and slides within its stroke do not count; where the floor "
+                             "moves more than that, the stops hit and may tip it."),
+                            ("滑りやすい台に載せて揺れを伝えにくくする。"
+                             "可動範囲内の滑りは移動に数えないが、"
+                             "床の動きがこれを超えるとストッパーに当たり、倒れることがある。")),
     "gel_mats": ("Adhesive gel mats", "耐震ゲルマット（粘着マット式）"),
     "gel_mats_about": (("Sticky gel under the corners holds the base down and sideways; it tears off for "
                         "good where pull and shear together exceed its bond, which dust, rough floors and "

@@ -118,6 +118,8 @@ PLACES: dict[str, tuple[str, str]] = {
     "back": ("back", "背面側"),
     "left": ("left", "左"),
     "right": ("right", "右"),
+    "stops": ("stops", "ストッパー"),
+    "spring": ("spring", "復元ばね"),
 }
 """Places of devices on a piece, which may be said together: "front left"."""
 

@@ -196,7 +196,10 @@ class LockedCasters(OtherFriction):
 
 @dataclass(frozen=True, slots=True)
 class BaseIsolator(OtherFriction):
-    """A tray with little friction, and stops at the ends of its stroke to both sides.
+    """A tray with little friction that may be pulled back to the middle, and stops at the end of its stroke.
+
+    In space stops and restoring force act alike in all directions in plan. A tray on a dish of the radius R
+    is pulled back by the stiffness m g/R, with the mass m on it.
 
     Examples
     --------
@@ -214,13 +217,23 @@ class BaseIsolator(OtherFriction):
     static_friction: float = parameter(0.05, "", *FRICTION_RANGE, STATIC, decides=True)
     kinetic_friction: float = parameter(0.04, "", *FRICTION_RANGE, KINETIC, decides=True)
     stroke: float = parameter(0.1, "m", 1e-3, 5.0, ("stroke to either side", "片側の可動範囲"), decides=True)
+    restoring_stiffness: float = parameter(
+        0.0, "N/m", 0.0, 1e6, ("stiffness that pulls it back", "復元力の剛性")
+    )
     stop_stiffness: float = parameter(200e3, "N/m", 1e3, 1e8, ("stiffness of the stops", "ストッパーの剛性"))
     damping: float = parameter(0.2, "", 0.0, 2.0, ("damping ratio of the stops", "ストッパーの減衰定数"))
 
     def apply(self, body: Body, room: Room) -> Held:
-        """Return the body on a floor with little friction, with an element for the stops."""
+        """Return the body on a floor with little friction, its stops, and what pulls it back."""
         k = self.stop_stiffness
         stops = Line(k, damper(self.damping, k, body.mass), self.stroke, self.stroke)
         middle = (0.0, 0.5 * sum(body.base_heights))
-        element = Element(self.kind, middle, stops, facing=(1.0, 0.0))
-        return replace(OtherFriction.apply(self, body, room), elements=(element,))
+        elements = [Element(self.kind, middle, Line(), stops, facing=(0.0, 1.0), place="stops")]
+        if self.restoring_stiffness > 0.0:
+            back = Line(self.restoring_stiffness, slack_plus=0.0, slack_minus=0.0)
+            elements.append(replace(elements[0], tangent=back, place="spring"))
+        return replace(OtherFriction.apply(self, body, room), elements=tuple(elements))
+
+    def free_slide(self) -> float:
+        """Return its stroke."""
+        return self.stroke

@@ -86,6 +86,11 @@ class Held:
     elements: tuple[Element, ...] = ()
     measures: tuple[Measure, ...] = ()
 
+    @property
+    def free_slide(self) -> float:
+        """How far the measures are made to let the piece slide [m]."""
+        return sum(measure.free_slide() for measure in self.measures)
+
 
 FAULTY = 0.23
 """Share of fixed furniture that was no better off in Kobe, 1995, since it was badly fixed.
@@ -196,6 +201,10 @@ class Measure(ABC):
     def fitted_to(self, body: Body) -> Measure:
         """Return the product that is bought for a piece; by default there is but one."""
         return self
+
+    def free_slide(self) -> float:
+        """Return how far it is made to let the piece slide, which no verdict counts as sliding [m]."""
+        return 0.0
 
     @abstractmethod
     def apply(self, body: Body, room: Room) -> Held:

@@ -95,8 +95,10 @@ def _gel(element: Element, body: Body, room: Room) -> list[Shape]:
 
 
 def _stops(element: Element, body: Body, room: Room) -> list[Shape]:
-    """Return the tray and the stops on the floor at the ends of its stroke."""
-    half, reach = 0.5 * body.width, 0.5 * body.width + element.normal.slack_plus
+    """Return the tray and the stops on the floor at the ends of its stroke; nothing of what pulls it back."""
+    if element.tangent.slack_plus == 0.0:
+        return []
+    half, reach = 0.5 * body.width, 0.5 * body.width + element.tangent.slack_plus
     sides = [_box(x, -0.04, x + side * 0.02, 0.03) for x, side in ((-reach, -1.0), (reach, 1.0))]
     tray = Shape("polygon", _on_body(body, _box(-half, -0.03, half, 0.0)), "metal")
     return [tray, *(Shape("polygon", side, "rubber") for side in sides)]

@@ -51,7 +51,7 @@ class Outcomes:
     overturned, missing, hit_wall, device_failed : ndarray of bool, shape (motions, samples)
         Whether it overturned; whether the run was given up; whether it hit a wall; whether a device failed.
     slide, tilt : ndarray, shape (motions, samples)
-        Peak slide [m] and tilt [rad].
+        Peak slide [m], less what a measure is made to let it slide, and tilt [rad].
     """
 
     overturned: NDArray[np.bool_]
@@ -62,14 +62,19 @@ class Outcomes:
     tilt: NDArray[np.float64]
 
     @classmethod
-    def of(cls, results: NDArray[np.void], device_failed: NDArray[np.bool_]) -> Outcomes:
-        """Return the outcomes of results, and of whether a device failed, of shape (motions, samples)."""
+    def of(
+        cls, results: NDArray[np.void], device_failed: NDArray[np.bool_], free_slide: float = 0.0
+    ) -> Outcomes:
+        """Return the outcomes of results, and of whether a device failed, of shape (motions, samples).
+
+        ``free_slide`` is how far measures are made to let the piece slide [m].
+        """
         return Outcomes(
             overturned=results["outcome"] == OVERTURNED_OUTCOME,
             missing=results["outcome"] == FAILED_OUTCOME,
             hit_wall=results["wall_impacts"] > 0,
             device_failed=device_failed,
-            slide=results["peak_slide"],
+            slide=np.maximum(results["peak_slide"] - free_slide, 0.0),
             tilt=results["peak_tilt"],
         )
 

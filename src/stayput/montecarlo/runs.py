@@ -137,7 +137,7 @@ def _runs(
     shape = (motions, len(results) // motions)
     count = rows.elements.shape[1]
     used = utilisation(rows.elements, devices[:, :count])
-    outcomes = Outcomes.of(results.reshape(shape), broken.reshape(shape))
+    outcomes = Outcomes.of(results.reshape(shape), broken.reshape(shape), rows.free_slide)
     return Runs(
         **{field.name: getattr(outcomes, field.name) for field in fields(Outcomes)},
         devices=devices[:, :count].reshape((*shape, count)),
@@ -169,8 +169,8 @@ def run_prepared(rows: Sequence[Rows], floor: PreparedFloor) -> list[Outcomes]:
         result, devices = run_rows(motion_cases, motion_elements, shaking)
         results.append(result.reshape(len(rows), -1))
         broken.append((failed(motion_elements, devices).sum(axis=-1) > 0).reshape(len(rows), -1))
-    together = zip(np.stack(results, axis=1), np.stack(broken, axis=1), strict=True)
-    return [Outcomes.of(result, bad) for result, bad in together]
+    together = zip(rows, np.stack(results, axis=1), np.stack(broken, axis=1), strict=True)
+    return [Outcomes.of(result, bad, piece_rows.free_slide) for piece_rows, result, bad in together]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

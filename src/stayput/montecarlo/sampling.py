@@ -279,11 +279,14 @@ class Rows:
         Their devices, per unit mass.
     masses : ndarray, shape (motions · samples,)
         Mass of the body [kg].
+    free_slide : float
+        How far the measures are made to let the piece slide [m].
     """
 
     cases: NDArray[np.void]
     elements: NDArray[np.void]
     masses: NDArray[np.float64]
+    free_slide: float = 0.0
 
 
 def rows_of(
@@ -346,12 +349,12 @@ def rows_of(
             if getattr(held.room, name) is not None:
                 path = f"room.{name}.restitution"
                 numbers[path] = _drawn_rebound(numbers[path], columns["wall_restitution"])
-        return Rows(case_rows(numbers, count), no_elements(0, count), masses)
+        return Rows(case_rows(numbers, count), no_elements(0, count), masses, held.free_slide)
     each = [drawn_held(body, room, measures, draw) for row in drawn for draw in row]
     leaf_rows = [{**fields_of("body", fixed.body), **fields_of("room", fixed.room)} for fixed, _ in each]
     numbers |= {path: np.array([row[path] for row in leaf_rows]) for path in leaf_rows[0]}
     masses, elements = np.array([fixed.body.mass for fixed, _ in each]), np.stack([rows for _, rows in each])
-    return Rows(case_rows(numbers, count), elements, masses)
+    return Rows(case_rows(numbers, count), elements, masses, held.free_slide)
 
 
 OutcomesT = TypeVar("OutcomesT", bound="Outcomes")

@@ -308,7 +308,10 @@ def _group_run(traced: Trace, shaking: SpaceShaking, *, tracked: bool) -> GroupR
         devices.append((trace.devices[rows], used[rows]))
         first += count or 0
     tracks = traced.tracks(shaking.dt) if tracked else [None] * len(traced.bodies)
-    return GroupRun(results_of(traced, shaking.times), devices, tracks)
+    results = results_of(traced, shaking.times)
+    free = [0.0 if body.held is None else body.held.free_slide for body in traced.bodies]
+    results["peak_slide"] = np.maximum(results["peak_slide"] - free, 0.0)
+    return GroupRun(results, devices, tracks)
 
 
 def trace_draw(

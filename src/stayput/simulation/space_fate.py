@@ -77,7 +77,8 @@ def expected(falls: float, moves: float) -> Stability:
 def over_time(run: Run, body: int) -> NDArray[np.str_]:
     """Return how firmly a body of a run in space stands at each sample, shape (samples,).
 
-    It falls while it leans past its critical angle, held or not, and from when it overturned or fell off on.
+    What a measure is made to let it slide is no move. It falls while it leans past its critical angle, held
+    or not, and from when it overturned or fell off on.
     """
     piece, standing, turn = run.pieces[body], run.standing[body], matrices(run.attitude[body])
     reach = round(AROUND * (len(run.time) - 1) / max(float(np.ptp(run.time)), AROUND))
@@ -85,7 +86,9 @@ def over_time(run: Run, body: int) -> NDArray[np.str_]:
     def around(values: NDArray[np.float64]) -> NDArray[np.float64]:
         return sliding_window_view(np.pad(values, reach, "edge"), 2 * reach + 1)
 
-    ways = (*piece.slide_in_plan.T, heights(standing.solid, run.place[body], turn))
+    free = 0.0 if piece.held is None else piece.held.free_slide
+    beyond = 1.0 - np.minimum(1.0, free / np.maximum(piece.slide, SHIFTS))
+    ways = (*(beyond * piece.slide_in_plan.T), heights(standing.solid, run.place[body], turn))
     moves = (around(np.abs(piece.tilt)).max(axis=1) > ROCKS) | (np.ptp(around(piece.yaw), axis=1) > ROCKS)
     moves |= np.any([np.ptp(around(way), axis=1) > SHIFTS for way in ways], axis=0)
     fell = run.time >= np.fmin(piece.overturn_time, piece.fall_time)
