@@ -139,15 +139,16 @@ REFUSED = {
         "NS [gal],EW [gal],UD [gal],UP [gal]",
         "X,Y",
         "L,T,V,R",
-        "f (Hz),acc (gal)",
-        "Period (s),acc (gal)",
         "distance (km),x (gal)",
         "Frame,x (gal)",
-        "周期(秒),x (gal)",
-        "# Period (s), acc (gal)",
     ],
     ("not_acceleration", None): [
         "T (s),Sa (g)",
+        "f (Hz),acc (gal)",
+        "Period (s),acc (gal)",
+        "period_s,sa_x_m_s2",
+        "周期(秒),x (gal)",
+        "# Period (s), acc (gal)",
         "T (s),PSA [gal]",
         "T (s),PGA (gal)",
         "time,Fourier amplitude (gal)",
@@ -165,7 +166,16 @@ REFUSED = {
         "時間(秒),変位(cm)",
         "time,acc [counts]",
     ],
-    ("not_acceleration", 2): ["# unit: counts", "# UNITS: cm/s"],
+    ("not_acceleration", 2): [
+        "# unit: counts",
+        "# UNITS: cm/s",
+        "# number of velocity points: 4000, dt: 0.02",
+        "Corrected velocity time history",
+        "# quantity: displacement",
+        "# 速度波形",
+        "Acceleration response spectrum, damping 5 %",
+        "加速度応答スペクトル（減衰5%）",
+    ],
     ("column_unit_factor", None): [
         "t,acc (gal)x10",
         "t,acc x 1000 (gal)",
@@ -336,7 +346,19 @@ def test_a_time_step_that_is_stated_is_used_or_contradicted(read, refusal, line,
     assert "states the time step 0.005 s and the file has 0.02 s" in str(error)
 
 
-@pytest.mark.parametrize("line", ["# dt = 0.02", "# 50 Hz", "# duration 1.2 s", "# dt unknown", "# No. 5"])
+@pytest.mark.parametrize(
+    "line",
+    [
+        "# dt = 0.02",
+        "# 50 Hz",
+        "# duration 1.2 s",
+        "# dt unknown",
+        "# No. 5",
+        "# shear wave velocity (m/s) 300",
+        "# acceleration, from velocity data",
+        "# accelerogram that matches a response spectrum",
+    ],
+)
 def test_lines_that_contradict_nothing_are_read_over(read, line):
     assert read(table(line, 2), unit="gal")[0].dt == 0.02
 

@@ -68,6 +68,14 @@ TEXTS: dict[str, tuple[str, str]] = {
                     ("{component}成分の加速度が{begin:.3g}秒付近から{mean:.4g} m/s²を中心に振動していま"
                      "す。記録を確かめてください。")),
     "less_mean": (", less the mean of each component", "、各成分の平均を除去"),
+    "varying_step": (("The time grows by steps of {shortest:.6g} to {longest:.6g} s; they must be equal, "
+                      "or taken as equal with their mean given: {option} {mean:.8g}."),
+                     ("時刻の刻みが{shortest:.6g}～{longest:.6g}秒で、そろっていません。"
+                      "等間隔とみなしてよければ、平均の{mean:.8g}秒を時間刻み（{option}）に指定してください。")),
+    "turned": (("The magnitude of {components} together stays at {magnitude:.3g} m/s², gravity, while its "
+                "direction changes; the instrument must not be turned while it records."),
+               ("{components}を合わせた加速度の大きさは{magnitude:.3g} m/s²（重力）のままで、向きが変わって"
+                "います。計器の向きを変えずに記録したものが必要です。")),
     "irregular_sampling": ("The sampling is irregular near {time:g} s; the time must grow by equal steps.",
                            "時刻が{time:g}秒付近で等間隔になっていません。等間隔の記録が必要です。"),
     # The numbers in a file, and what the sentences about them call them.

@@ -316,6 +316,8 @@ _FEWEST_CROSSINGS = 10
 _SHARE_OF_PEAK = 1e-3
 _LATE_SHARE = 0.02
 _GRAVITY_TOLERANCE = 0.05
+_SHORTEST_PART = 2.0  # s
+_TURNED_SHARE = 0.1
 _FASTEST_LEFT = 5.0
 """Velocity at a record's end that no floor is left with [m/s]."""
 _MOST_OF_PEAK = 0.1
@@ -420,8 +422,10 @@ def check_baseline(motion: Motion, *, recorded: bool = False) -> None:
 def checked_record(motion: Motion, *, remove_mean: bool) -> Motion:
     """Return a motion that was read, less the mean of each component where that is asked for.
 
-    Its source says what was taken off. Raises and warns as `check_baseline` does.
+    Its source says what was taken off. Raises and warns as `check_baseline` does; a record of an instrument
+    that was turned is refused.
     """
+    _check_orientation(motion)
     if remove_mean:
         means = {name: float(a.mean()) for name, a in motion.components.items()}
         removed = ", ".join(f"{name} {mean:.4g}" for name, mean in means.items())
@@ -429,6 +433,24 @@ def checked_record(motion: Motion, *, remove_mean: bool) -> Motion:
         motion = replace(motion, **samples, source=f"{motion.source}; mean removed [m/s²]: {removed}")
     check_baseline(motion, recorded=True)
     return motion
+
+
+def _check_orientation(motion: Motion) -> None:
+    """Refuse a record of an instrument that was turned by hand, as a phone is: no mean takes its gravity off.
+
+    The magnitude of its components is gravity, in the median and within 5 %, and the mean of an eighth of the
+    record differs from that of all by more than a tenth of gravity, as by 6°. Shaking moves such a mean by
+    the change of velocity over that time.
+    """
+    parts = min(8, int(motion.duration / _SHORTEST_PART))
+    if parts < 2 or len(motion.components) == 1:
+        return
+    samples = np.stack(list(motion.components.values()))
+    magnitude = float(np.median(np.linalg.norm(samples, axis=0)))
+    means = np.stack([part.mean(axis=1) for part in np.array_split(samples, parts, axis=1)])
+    change = float(np.linalg.norm(means - samples.mean(axis=1), axis=1).max())
+    if _is_gravity(magnitude) and change > _TURNED_SHARE * STANDARD_GRAVITY:
+        raise InputError("motion.turned", components=", ".join(motion.components), magnitude=magnitude)
 
 
 def _is_gravity(mean: float) -> bool:

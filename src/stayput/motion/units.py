@@ -98,6 +98,9 @@ _STEP_TOLERANCE = 1e-4
 _ROUNDING_OF_TIMES = 0.2
 """Error of a printed time, in time steps, that is taken for rounding; a missing sample is one of 1."""
 
+_MOST_VARIATION = 0.01
+"""Error of a time of which the rate varies, as a share of the duration, that equal steps may make."""
+
 _SQUARED_SECONDS = r"/s(?:ec)?(?:/s(?:ec)?|²|\^?2|\*\*2)"
 MENTIONED = re.compile(
     rf"(?<![a-zµμ])(gals?|(?:[cm]?m|in|ft){_SQUARED_SECONDS}|%g)(?![a-z0-9/^²*])"
@@ -219,8 +222,7 @@ def acceleration_unit(
         The file mentions another unit than the caller's, or states one that is not known.
     """
     if stated is not None and (quantity := quantity_of(stated)):
-        name = phrase(f"motion.{quantity}")
-        raise InputError("motion.not_acceleration", where=excerpt(stated), quantity=name)
+        raise not_acceleration(stated, quantity)
     known, mentioned = stated and known_unit(stated), stated or mentioned_unit(header)
     if known and passed is not None and unit_factor(known) != unit_factor(passed):
         raise not_the_files_own("unit", excerpt(passed), excerpt(stated or ""))
@@ -234,6 +236,11 @@ def acceleration_unit(
     if not known and mentioned and ACCELERATION_UNITS.get(known_unit(mentioned) or "") != factor:
         warn(InputWarning("motion.unit_mentioned", "unit", given=passed, mentioned=mentioned))
     return factor
+
+
+def not_acceleration(where: str, quantity: str) -> InputError:
+    """Return the refusal of a file whose text says that it is of another quantity: the key of its name."""
+    return InputError("motion.not_acceleration", where=excerpt(where), quantity=phrase(f"motion.{quantity}"))
 
 
 def not_the_files_own(field: str, passed: str | Phrase, stated: str | Phrase) -> InputError:
@@ -258,13 +265,15 @@ def time_step(stated: float | None, dt: float | None) -> float:
     return within("motion.name_time_step", step, *STEP_RANGE, "s", "dt")
 
 
-def regular_step(time: NDArray[np.float64]) -> float:
+def regular_step(time: NDArray[np.float64], *, varying: bool = False) -> float:
     """Return the step of equally spaced times [s]; they may be rounded to a fifth of it.
 
     Parameters
     ----------
     time : ndarray, shape (n,)
         Times [s], n ≥ 2.
+    varying : bool
+        Whether the mean step is taken where the sampling rate varies, as that of a phone's clock.
 
     Raises
     ------
@@ -275,6 +284,14 @@ def regular_step(time: NDArray[np.float64]) -> float:
     step = float(time[-1] - time[0]) / (n - 1)
     error = np.abs(time - (time[0] + step * np.arange(n)))
     if not step > 0.0 or error.max() > _ROUNDING_OF_TIMES * step:
+        steps = np.diff(time)
+        # No sample is missing where each step is nearly the mean one.
+        complete = np.abs(steps - step).max() <= _ROUNDING_OF_TIMES * step
+        if complete and error.max() <= _MOST_VARIATION * step * (n - 1):
+            if varying:
+                return step
+            about: dict[str, Any] = {"shortest": float(steps.min()), "longest": float(steps.max())}
+            raise InputError("motion.varying_step", "dt", mean=step, option="dt", **about)
         raise InputError("motion.irregular_sampling", time=float(time[error.argmax()]))
     # Printed times are rounded, and so is the step that they give: 0.0099999 s of 0.01 s. The shortest
     # decimal that keeps the last sample within a thousandth of a step is what was meant.
@@ -425,15 +442,14 @@ def column_factors(
 def _own_unit(text: str, stated: str | None, passed: str | None) -> str | None:
     """Return the unit in a heading, which neither the comments nor the caller may contradict."""
     if _SPECTRAL.match(text):
-        raise InputError("motion.not_acceleration", where=excerpt(text), quantity=phrase("motion.spectral"))
+        raise not_acceleration(text, "spectral")
     unit = _unit_in(text)
     if unit is None:
         if factor := _unit_with_factor(text):
             column, name = excerpt(text), excerpt(factor)
             raise InputError("motion.column_unit_factor", "unit", column=column, factor=name)
         if quantity := next(filter(None, map(quantity_of, (text, *BRACKET.findall(text)))), None):
-            name = phrase(f"motion.{quantity}")
-            raise InputError("motion.not_acceleration", where=excerpt(text), quantity=name)
+            raise not_acceleration(text, quantity)
         names = (name for name in BRACKET.findall(text) if not (is_direction(name) and name.isalnum()))
         other = next(filter(_LIKE_A_UNIT.fullmatch, names), None)
         if other is not None and passed is not None:

@@ -26,7 +26,15 @@ from stayput.errors import InputError, InputWarning, excerpt, shown, unknown, wa
 from stayput.files import named_columns
 from stayput.motion import units as known_units
 from stayput.motion.channels import LISTED, Channel, in_borehole, is_direction, labels_phrase
-from stayput.motion.readers.headings import Headings, is_time, is_title, read_headings, split, units_in
+from stayput.motion.readers.headings import (
+    Headings,
+    check_quantity,
+    is_time,
+    is_title,
+    read_headings,
+    split,
+    units_in,
+)
 from stayput.motion.readers.text import Reader, check_count, lines, not_as_stated, numbers
 from stayput.wording import joined
 
@@ -139,6 +147,7 @@ def read_columns(
     head = _head(text, chosen=bool(chosen))
     if not head.rows:
         raise InputError("motion.few_rows", rows=0)
+    check_quantity(head.comments + head.titles)
     head.titles[:], skipped = [line for line in head.titles if any(map(str.isalnum, line))], len(head.titles)
     counted = not chosen and head.states_count()
     places, headings = _chosen_columns(head, chosen) if chosen else _usual_columns(head, counted)
@@ -177,7 +186,7 @@ def read_columns(
             if (dt := written if dt is None else dt) is None:
                 raise InputError("motion.time_counts", "dt", first=times[0], second=times[1], option="dt")
             times = dt * times
-        step = known_units.regular_step(times)
+        step = known_units.regular_step(times, varying=dt is not None)
         # The column's times are rounded: the two may differ by a fifth of a step at the last sample.
         if dt is not None and abs(dt - step) * (len(table) - 1) > 0.2 * step:
             raise known_units.not_the_files_own("dt", f"{dt:g} s", f"{step:g} s")

@@ -10,20 +10,41 @@ from typing import NamedTuple
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, excerpt, without_control
 from stayput.motion.channels import LISTED, is_direction, is_down, is_vertical
-from stayput.motion.units import BRACKET, UNIT_OF_TIME, is_motion, known_unit, quantity_of, time_factor
+from stayput.motion.units import (
+    BRACKET,
+    UNIT_OF_TIME,
+    is_motion,
+    known_unit,
+    not_acceleration,
+    quantity_of,
+    time_factor,
+)
 from stayput.wording import joined
 
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9\-]{0,11}")
 _NOT_FINITE = re.compile(r"[+\-]?(?:nan|inf|infinity)", re.IGNORECASE)
 _TIME = re.compile(r"t(?![a-z])|.*time(?![ _\-]?(?:history|series))|sec(?:onds?)?(?![a-z])", re.IGNORECASE)
 _COUNTED = re.compile(r"(?:no|n|i|index|samples?|counts?|rows?|lines?)\.?", re.IGNORECASE)
+_AXIS_OF_SPECTRA = r"freq(?:uency|\.)?|f|(?:natural |vibration )?periods?|固有周期|周期|周波数|振動数"
+_UNIT_BEHIND = r"(?:[ _]*[(\[_].*)?"
+_OF_SPECTRA = re.compile(f"(?:{_AXIS_OF_SPECTRA}){_UNIT_BEHIND}", re.IGNORECASE)
 _OTHER_THAN_TIME = re.compile(
-    r"(?:freq(?:uency|\.)?|f|(?:natural |vibration )?period|dist(?:ance|\.)?|depth|frame(?: ?no\.?)?"
-    r"|固有周期|周期|周波数|振動数|距離|深さ)(?:[ _]*[(\[_].*)?",
-    re.IGNORECASE,
+    rf"(?:{_AXIS_OF_SPECTRA}|dist(?:ance|\.)?|depth|frame(?: ?no\.?)?|距離|深さ){_UNIT_BEHIND}", re.IGNORECASE
 )
 """What heads the first column of spectra and other tables."""
 _OF_TIME = re.compile(r"[(\[] ?m?s(?:ec(?:ond)?s?)? ?[)\]]", re.IGNORECASE)
+_OTHER_MOTION = re.compile(
+    r"(?P<key>(?:quantity|type|kind|data) ?[:=] ?)?(?<![a-z])(?<!wave )"
+    r"(?:(?P<velocity>velocity|(?<!加)速度)|(?P<displacement>displacement|変位))"
+    r"(?P<of_data>[ _-]*(?:(?:points?|data|samples?|values?|records?|traces?|histor(?:y|ies)"
+    r"|time[ -](?:series|histor(?:y|ies)))(?![a-z])|[(\[]|波形|データ|記録|時刻歴))?",
+    re.IGNORECASE,
+)
+_ACCELERATION = re.compile(r"acc(?![a-z])|accel|加速度", re.IGNORECASE)
+_SPECTRUM = re.compile(
+    r"(?:response|fourier|amplitude) spectr(?:um|a)(?![a-z])|(?:応答|フーリエ)スペクトル", re.IGNORECASE
+)
+_OF_HISTORY = re.compile(r"accelero|histor|time[ -]series|match|compatible|時刻歴|波形|適合", re.IGNORECASE)
 _TRANSVERSE = re.compile(r"T(?![A-Za-z])")
 _LONGITUDINAL = re.compile(r"[LR](?![A-Za-z])")
 _NEGATIVE = re.compile(
@@ -230,6 +251,8 @@ def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, ro
     alike = bool(times) and (times[0] == 0 or _mark(lines[place]) == _mark(row))
     if count > 2 and not any(map(is_vertical, names)) and (unread := _unread_order(lines)):
         raise InputError("motion.column_order_unread", line=excerpt(unread), option="columns")
+    if _OF_SPECTRA.fullmatch(texts[0]) and not times:
+        raise not_acceleration(texts[0], "spectral")
     of_another = _OTHER_THAN_TIME.fullmatch(texts[0]) is not None
     if not (ordered or titles or alike or (of_another and all(map(is_motion, texts[1:])))):
         return Headings(names=names if all(map(is_direction, names[1:])) else named)
@@ -341,6 +364,20 @@ def _times(texts: Sequence[str]) -> list[int]:
     named = [i for i in others if _TIME.match(texts[i]) and not is_motion(texts[i])]
     times = [i for i in named if not (beside and _TRANSVERSE.match(texts[i]))]
     return times or [i for i in others if _OF_TIME.search(texts[i])]
+
+
+def check_quantity(lines: Sequence[str]) -> None:
+    """Refuse a file that is, by the lines above its numbers, of velocities, displacements or a spectrum.
+
+    A file that also says that it is of acceleration or a history is not: the other is what it was made from.
+    """
+    if not any(map(_ACCELERATION.search, lines)):
+        for line in lines:
+            for match in _OTHER_MOTION.finditer(line):
+                if match["key"] or match["of_data"]:
+                    raise not_acceleration(line, "velocity" if match["velocity"] else "displacement")
+    if not any(map(_OF_HISTORY.search, lines)) and (line := next(filter(_SPECTRUM.search, lines), None)):
+        raise not_acceleration(line, "spectral")
 
 
 def is_time(text: str) -> bool:

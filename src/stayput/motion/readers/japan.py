@@ -205,7 +205,7 @@ def _read_knet_csv(text: str, unit: str | None, dt: float | None) -> list[Channe
     factor = acceleration_unit(stated, unit)
     if len(table) < 2:
         raise InputError("motion.few_rows", rows=len(table))
-    step = regular_step(table[:, 0])
+    step = regular_step(table[:, 0], varying=dt is not None)
     rate = _csv_rate(by_key["sampling"]) if "sampling" in by_key else None
     if rate is not None and abs(step * rate - 1.0) > 1e-3:
         raise not_as_stated("sampling_frequency", rate, 1.0 / step, " Hz")
