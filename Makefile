@@ -11,6 +11,7 @@ PIP_WITH_GROUPS := pip>=25.1
 KEY    := $(shell cat pyproject.toml requirements.lock 2>/dev/null | cksum | cut -d ' ' -f 1)
 STAMP  := $(VENV)/.installed-$(KEY)
 EXTRAS := formats,app,inventory
+SPHINX := $(BIN)/python -m sphinx -W --keep-going -q
 # Runs a command while no other make does: two at once would write the same files of .venv.
 ALONE  := $(PYTHON) -c 'import fcntl, subprocess, sys; file = open("Makefile"); \
   fcntl.flock(file, fcntl.LOCK_EX); sys.exit(subprocess.call(sys.argv[1:]))'
@@ -25,7 +26,7 @@ help:
 	@echo "make soak     input made to break what reads it, for MINUTES=10 or as long as asked"
 	@echo "make coverage every test, and which lines of Python they run (out/coverage)"
 	@echo "make peers    pelicun and OpenQuake read our fragility curves, in an environment of their own (out/peers)"
-	@echo "make lint     ruff, formatting, types"
+	@echo "make lint     ruff, formatting, types, and whether the documentation's references lead somewhere"
 	@echo "make bench    speed and accuracy beside MuJoCo; ensembles, buildings, devices, verifications, starts"
 	@echo "make bench-app, make bench-inventory   the server under load and the page in Chromium; tables of furniture"
 	@echo "make docs     documentation pages (docs/_build/html)"
@@ -61,10 +62,14 @@ soak: $(STAMP)-test
 	  HYPOTHESIS_PROFILE=soak $(BIN)/python -m pytest tests/property -m hostile -n auto -x -q $(PYTEST_ARGS) || exit 1; \
 	done; echo "$$round rounds: nothing found"
 
-lint: $(STAMP)-lint
+# Broken references end the build of the documentation, which takes too long for every commit: they are checked without its runs.
+lint: $(STAMP)-lint $(STAMP)-docs
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/pyright --pythonpath $(BIN)/python
+	@rm -rf docs/generated/api
+	$(SPHINX) -b dummy -t references -D nb_execution_mode=off -D sphinx_gallery_conf.plot_gallery=False \
+	  -d docs/_build/references docs docs/_build/dummy
 
 bench: $(STAMP)-test
 	@mkdir -p out
@@ -87,7 +92,7 @@ bench-inventory: $(STAMP)-test
 # Stubs of names that are gone would be warned of.
 docs: $(STAMP)-docs
 	@rm -rf docs/generated/api
-	$(BIN)/python -m sphinx -W --keep-going -q -b html -d docs/_build/doctrees docs docs/_build/html
+	$(SPHINX) -b html -d docs/_build/doctrees docs docs/_build/html
 	@echo "docs/_build/html/index.html"
 
 $(VENV)/bin/python:

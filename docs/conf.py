@@ -113,7 +113,8 @@ def _after_napoleon(app: Any, what: str, name: str, thing: Any, options: Any, li
 
 
 def setup(app: Any) -> None:
-    """Write the generated parts, once a build."""
-    app.connect("builder-inited", lambda _: pages.write(HERE / "generated"), priority=1)
+    """Write the generated parts, once a build; with the tag ``references`` those alone that need no run."""
+    write = pages.write_placeholders if app.tags.has("references") else pages.write
+    app.connect("builder-inited", lambda _: write(HERE / "generated"), priority=1)
     app.connect("autodoc-process-docstring", _before_napoleon, priority=400)
     app.connect("autodoc-process-docstring", _after_napoleon, priority=600)

@@ -1,4 +1,8 @@
-"""The pictures of the first page, stills of a film of a bookcase that falls, and of the README, a verdict."""
+"""The pictures of the first page, stills of a film of a bookcase that falls, and of the README, a verdict.
+
+The README's stands among the sources: ``python docs/index_picture.py`` draws it anew, the documentation's
+build does not, as its bytes depend on the machine.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +21,7 @@ SHOWN = (0, 0, 520, 345)
 
 
 def write(folder: Path) -> None:
-    """Write the pictures; the README's stands among the sources."""
+    """Write the picture of the first page."""
     room = sp.Room(floor=sp.Floor.of("wood flooring"), left_wall=sp.Wall(gap=0.02))
     run = sp.simulate(sp.Body(width=0.30, height=1.80, mass=200.0), room, sp.near_fault())
     assert run.overturn_time is not None
@@ -32,5 +36,14 @@ def write(folder: Path) -> None:
             film.seek(round((run.overturn_time - before) / step))
             strip.paste(film.convert("RGB").crop(SHOWN), (width * place, 0))
     strip.save(folder / "index_film.png")
-    verdict = sp.verify(sp.read_scenario(DOCS.parent / "examples" / "bookcase.toml"))
-    verdict.plot().figure.savefig(DOCS / "verdict.png", dpi=110, metadata={"Software": None})
+
+
+def write_readme_picture() -> None:
+    """Write the README's picture; its description is the verdict's sentence, which a test compares."""
+    verdict = sp.verify(sp.read_scenario(DOCS.parent / "examples" / "bookcase.toml"), levels=[])
+    about = {"Software": None, "Description": verdict.sentence("en")}
+    verdict.plot().figure.savefig(DOCS / "verdict.png", dpi=110, metadata=about)
+
+
+if __name__ == "__main__":
+    write_readme_picture()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import importlib
 import inspect
+import re
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -28,7 +29,8 @@ from stayput.scenario.toml import kinds
 from stayput.simulation.outcome import QUANTITIES
 from stayput.vocabulary import also_called
 
-ROOT = Path(__file__).parents[1]
+HERE = Path(__file__).parent
+ROOT = HERE.parent
 EXAMPLES = ROOT / "examples"
 MECHANICS = ROOT / "src" / "stayput" / "mechanics"
 
@@ -162,11 +164,27 @@ def quantities() -> str:
     return validation_run.markdown(["name", "unit", "meaning"], rows, "lll")
 
 
-def write(folder: Path) -> None:
-    """Write every generated part into a folder."""
+def write_texts(folder: Path) -> None:
+    """Write the generated parts that need no run into a folder."""
     folder.mkdir(parents=True, exist_ok=True)
     for make in (formats, surfaces, furniture, scenario, scenario_files, tolerances, quantities):
         (folder / f"{make.__name__}.md").write_text(make(), encoding="utf-8")
+
+
+def write_placeholders(folder: Path) -> None:
+    """Write the texts, and in place of what runs would add the studies' templates and empty files."""
+    write_texts(folder)
+    pages_text = "".join(page.read_text(encoding="utf-8") for page in HERE.glob("*.md"))
+    for name in set(re.findall(r"generated/(\w+\.\w+)", pages_text)):
+        if not (folder / name).exists():
+            (folder / name).touch()
+    templates = "\n\n".join(text.read_text(encoding="utf-8") for text in study_pages.TEXTS.glob("*.md"))
+    (folder / "studies.md").write_text(templates, encoding="utf-8")
+
+
+def write(folder: Path) -> None:
+    """Write every generated part into a folder."""
+    write_texts(folder)
     validation_run.write(folder)
     study_pages.write(folder)
     motion_pages.write(folder)
