@@ -9,7 +9,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import pytest
-from raw import answer, connected, is_closed, request
+from raw import PING, answer, connected, is_closed, request
 from serving import SCENE, client_of, running
 from test_api_space import PIECES
 
@@ -37,6 +37,28 @@ def test_more_connections_than_allowed_are_told_that_the_server_is_busy() -> Non
         for one in held:
             one.close()
         wait_until(lambda: client.get("/api/v1/ping").status_code == 200)
+
+
+def test_a_connection_that_sends_no_whole_head_is_closed() -> None:
+    with running(replace(Limits(), head_seconds=0.4)) as server, ExitStack() as stack:
+        for begun in (b"", b"GET / HT", PING + b"GET / HT"):  # also of the second request
+            connection = stack.enter_context(connected(server))
+            connection.sendall(begun)
+            if begun.startswith(PING):
+                assert answer(connection)[0] == 200
+            assert is_closed(connection)
+
+
+def test_an_address_that_is_no_proxy_has_few_connections(monkeypatch: pytest.MonkeyPatch) -> None:
+    few = replace(Limits(), connections_per_address=3)
+    for proxy, closed in (("127.0.0.1", 0), ("192.0.2.1", 2)):
+        monkeypatch.setenv("FORWARDED_ALLOW_IPS", proxy)
+        with running(few) as server, ExitStack() as stack:
+            connections = [stack.enter_context(connected(server)) for _ in range(5)]
+            for connection in connections[: 5 - closed]:
+                connection.sendall(PING)
+                assert answer(connection)[0] == 200
+            assert all(map(is_closed, connections[5 - closed :]))
 
 
 def test_a_body_that_drips_is_given_up() -> None:

@@ -92,7 +92,10 @@ def test_a_client_may_not_fill_the_queue(monkeypatch: pytest.MonkeyPatch) -> Non
         go_on.set()
 
 
-def test_requests_of_one_page_let_another_pass(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("names", [["greedy"] * 5, list("abcde")], ids=["one page", "invented pages"])
+def test_requests_of_one_page_or_address_let_another_pass(
+    monkeypatch: pytest.MonkeyPatch, names: list[str]
+) -> None:
     held, order, simulated = threading.Event(), [], api.run_csv
 
     def counted(scenario: Any, **more: Any) -> str:
@@ -103,16 +106,16 @@ def test_requests_of_one_page_let_another_pass(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(api, "run_csv", counted)
     with running(replace(Limits(), slow_workers=1)) as server:
 
-        def ask(name: str) -> int:
-            with page(server, name) as own:
+        def ask(name: str, address: str = "192.0.2.7") -> int:
+            with page(server, name, address) as own:
                 asked = {"scene": {**SCENE, "title": name}, "measures": []}
                 return own.post("/api/v1/simulate/csv", json=asked).status_code
 
         asking = server.app.state.service.slow.asking
         with ThreadPoolExecutor(8) as threads:
-            greedy = [threads.submit(ask, "greedy") for _ in range(5)]
+            greedy = [threads.submit(ask, name) for name in names]
             wait_until(lambda: asking.total() == 5)
-            other = threads.submit(ask, "other")
+            other = threads.submit(ask, "other", "192.0.2.8")
             wait_until(lambda: asking.total() == 6)
             held.set()
             assert {one.result() for one in (*greedy, other)} == {200}
@@ -143,7 +146,7 @@ def test_nobody_who_has_less_gives_way(found: list[tuple[str, str, int]]) -> Non
 def test_long_work_takes_turns_and_what_is_not_wanted_leaves(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(jobs, "SLICE", 0.0)
     shared, order, wanted = Turns(1), [], {"a": True, "b": True, "c": True}
-    begun = {name: Turn(shared, lambda name=name: wanted[name]) for name in wanted}
+    begun = {name: Turn(shared, lambda name=name: wanted[name], "") for name in wanted}
     assert [begun[name].position for name in wanted] == [0, 1, 2]
 
     def work(name: str) -> None:
@@ -160,9 +163,16 @@ def test_long_work_takes_turns_and_what_is_not_wanted_leaves(monkeypatch: pytest
         one.join(COMPILING)
     assert "".join(order) == "abcabcac"
     assert shared.queue == []
-    with pytest.raises(StoppedError), Turn(shared, lambda: False):
+    with pytest.raises(StoppedError), Turn(shared, lambda: False, ""):
         pass
     assert shared.queue == []
+
+
+def test_an_address_with_much_work_waits_no_less_than_one_with_little() -> None:
+    shared = Turns(1)
+    asked = [Turn(shared, lambda: True, address) for address in "AAAABAB"]
+    assert [asked.index(turn) for turn in shared.in_order()] == [0, 4, 1, 6, 2, 3, 5]
+    assert asked[4].position == 1
 
 
 def test_a_plan_lets_another_pass_and_ends_when_its_client_leaves(monkeypatch: pytest.MonkeyPatch) -> None:

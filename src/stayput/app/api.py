@@ -268,7 +268,7 @@ def _add_plans(router: APIRouter, service: Service) -> None:
 
             if key not in reports:
                 job.plan_runs[str(home)] = 0
-                with Turn(service.turns, lambda: not left.is_set()) as turn:
+                with Turn(service.turns, lambda: not left.is_set(), job.client.address) as turn:
                     made = _plan(job, verdict, home, service.limits.threads, note_progress)
                 for language in LANGUAGES:  # the page's language may be changed
                     reports[f"{language} {home}"] = plan_html(made, language).encode("utf-8")

@@ -17,6 +17,7 @@ from collections.abc import Callable, Collection
 from concurrent.futures import ThreadPoolExecutor
 from contextvars import ContextVar
 from dataclasses import dataclass, field
+from operator import itemgetter
 from typing import TYPE_CHECKING, Literal, NamedTuple, ParamSpec, Protocol, TypeVar
 from weakref import WeakValueDictionary
 
@@ -94,6 +95,15 @@ class Turns:
         self.queue: list[Turn] = []
         self.changed = threading.Condition()
 
+    def in_order(self) -> list[Turn]:
+        """Return the queue as it is served: the first turn of each address, then the second of each, ..."""
+        earlier: Counter[str] = Counter()
+        ranks: list[int] = []
+        for turn in self.queue:
+            ranks.append(earlier[turn.address])
+            earlier[turn.address] += 1
+        return [turn for _, turn in sorted(zip(ranks, self.queue, strict=True), key=itemgetter(0))]
+
 
 class Turn:
     """The place of some work among the others; within ``with`` it has its turn.
@@ -104,10 +114,13 @@ class Turn:
         The others.
     wanted : callable
         Returns whether the work is to go on.
+    address : str
+        Whose work it is; an address with much of it waits no less than one with little.
     """
 
-    def __init__(self, turns: Turns, wanted: Callable[[], bool]) -> None:
+    def __init__(self, turns: Turns, wanted: Callable[[], bool], address: str) -> None:
         self._turns, self._wanted, self._began = turns, wanted, 0.0
+        self.address = address
         with turns.changed:
             turns.queue.append(self)
 
@@ -115,7 +128,7 @@ class Turn:
         """Wait for the turn; raise `StoppedError` where the work is no longer wanted."""
         turns = self._turns
         with turns.changed:
-            while self._wanted() and self not in turns.queue[: turns.at_once]:
+            while self._wanted() and self not in turns.in_order()[: turns.at_once]:
                 turns.changed.wait(CHECK_INTERVAL)
         if not self._wanted():
             self.leave()
@@ -147,8 +160,9 @@ class Turn:
     @property
     def position(self) -> int | None:
         """How many have their turn before this work; None where it has no place."""
-        queue = self._turns.queue.copy()
-        return queue.index(self) if self in queue else None
+        with self._turns.changed:
+            order = self._turns.in_order()
+        return order.index(self) if self in order else None
 
 
 class Workers:
@@ -166,7 +180,7 @@ class Workers:
         self._pool = ThreadPoolExecutor(threads, "stayput-worker")
         self._threads, self._waiting = threads, waiting
         self._free = asyncio.Semaphore(threads)
-        self._own: WeakValueDictionary[Client, asyncio.Semaphore] = WeakValueDictionary()
+        self._own: WeakValueDictionary[Client | str, asyncio.Semaphore] = WeakValueDictionary()
         self.asking: Counter[str] = Counter()
         """Requests at work or waiting, by their addresses."""
 
@@ -188,9 +202,11 @@ class Workers:
         if self.asking.total() >= self._threads + self._waiting or self.asking[client.address] > others:
             raise refused(503, "app.busy", retry_after=2)
         self.asking[client.address] += 1
-        of_client = self._own.setdefault(client, asyncio.Semaphore(self._threads))
+        of_page = self._own.setdefault(client, asyncio.Semaphore(self._threads))
+        # A page can invent its name, not its address: all pages of an address together wait like one.
+        of_address = self._own.setdefault(client.address, asyncio.Semaphore(self._threads))
         try:
-            async with of_client, self._free:
+            async with of_page, of_address, self._free:
                 return await asyncio.get_running_loop().run_in_executor(self._pool, quietly)
         except MemoryError:
             raise refused(503, "app.little_memory") from None
@@ -330,7 +346,7 @@ class Jobs:
                 raise refused(429, "app.many_jobs", retry_after=10, count=len(active))
             job = Job(secrets.token_hex(16), total, client, motions, lease, before=before)
             self._jobs[job.id] = job
-            job.turn = Turn(self._turns, lambda: job.wanted)
+            job.turn = Turn(self._turns, lambda: job.wanted, client.address)
         threading.Thread(target=self._run, args=(job, work), name="stayput-job").start()
         return job
 

@@ -21,8 +21,10 @@ class Limits:
         Largest body of an upload, the form around the file included [bytes].
     seconds : float
         Longest time in which a body must have come [s].
-    connections : int
-        Most connections and requests at a time.
+    head_seconds : float
+        Longest time in which the head of a request must have come [s].
+    connections, connections_per_address : int
+        Most connections and requests at a time, and connections of one address that is no proxy.
     duration : float
         Longest motion [s].
     samples_of_motion : int
@@ -76,7 +78,9 @@ class Limits:
     body: int = 256 * 1024
     upload: int = 16 * MEBIBYTE
     seconds: float = 60.0
+    head_seconds: float = 10.0
     connections: int = 256
+    connections_per_address: int = 64
     duration: float = 600.0
     samples_of_motion: int = 200_000
     film: float = 120.0

@@ -15,7 +15,7 @@ import warnings
 import webbrowser
 from collections.abc import AsyncGenerator, Awaitable, Callable, Sequence
 from contextlib import asynccontextmanager, suppress
-from functools import cache
+from functools import cache, partial
 from importlib import resources
 from typing import TYPE_CHECKING, cast
 
@@ -31,6 +31,7 @@ from starlette.staticfiles import StaticFiles
 
 import stayput
 from stayput.app.api import api
+from stayput.app.connections import LimitedConnection
 from stayput.app.limits import Limits
 from stayput.app.messages import RefusedError, described, error_response, refusal_of_request
 from stayput.app.middleware import Guard
@@ -255,6 +256,7 @@ def server_of(app: FastAPI) -> uvicorn.Server:
     """Return the Uvicorn server of an app; it is run with sockets that are bound already."""
     config = uvicorn.Config(
         app,
+        http=partial(LimitedConnection, limits=app.state.service.limits),  # type: ignore[arg-type]
         log_level="warning",
         server_header=False,
         timeout_keep_alive=30,
