@@ -14,7 +14,7 @@ from contextlib import contextmanager, suppress
 from importlib import import_module
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import Any, TextIO
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, absent, excerpt, instance_of, not_allowed, quoted, reason_of
@@ -62,6 +62,18 @@ def csv_text(names: Sequence[str], rows: Iterable[Iterable[object]], end: str = 
             cell.replace("\r", " ") if isinstance(cell, str) and end == "\n" else cell for cell in cells
         )
     return text.getvalue()
+
+
+LARGEST_LINE = 2**24
+"""Characters of a line from which a text is no table [-]."""
+
+
+def table_lines(file: TextIO, path: Path) -> Generator[str]:
+    """Yield the lines of a table; `InputError` where one is so long that reading it would fill the memory."""
+    while line := file.readline(LARGEST_LINE + 1):
+        if len(line) > LARGEST_LINE:
+            raise InputError("common.endless_line", file=repr(str(path)), most=LARGEST_LINE)
+        yield line
 
 
 _NEXT_PAIR = re.compile(r",(?=[^,=]*=)")

@@ -197,3 +197,10 @@ def test_the_server_prints_no_warning_of_what_it_is_asked(
     recwarn.clear()
     assert client.post("/api/v1/simulate", json={"scene": scene}).status_code == 200
     assert [one for one in recwarn if issubclass(one.category, sp.InputWarning)] == []
+
+
+def test_a_name_in_a_table_of_a_run_is_no_formula(client: httpx.Client) -> None:
+    name, (lower, upper) = "=cmd|' /C calc'!A0", PIECES["furniture"]
+    furniture = [{**lower, "name": name}, {**upper, "on": name}]
+    answer = client.post("/api/v1/simulate/csv", json={"scene": {**PIECES, "furniture": furniture}})
+    assert {row["piece"] for row in csv.DictReader(io.StringIO(answer.text))} == {f"'{name}", "upper"}

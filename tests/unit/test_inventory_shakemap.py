@@ -14,6 +14,7 @@ import pytest
 from inventories import city, rows_of_results, table
 
 import stayput as sp
+from stayput import files
 from stayput.fragility.intensity_measures import PGA, PGV, spectral_acceleration
 from stayput.inventory import assess
 from stayput.inventory.scenarios import read_scenarios
@@ -235,6 +236,17 @@ def test_what_is_no_file_is_refused_and_not_read(tmp_path, given, kind):
     with pytest.raises(sp.InputError, match=f"The {called}.* is '{path}'; it must be a file"):
         assess(scenario=city(tmp_path), out=tmp_path / "out", **files)
     assert not (tmp_path / "out").exists()
+
+
+def test_a_line_without_end_is_not_read_to_its_end(tmp_path, monkeypatch):
+    monkeypatch.setattr(files, "LARGEST_LINE", 1000)
+    path, refused = tmp_path / "long.csv", r"'.*long\.csv' has a line of more than 1,000 characters"
+    path.write_text("lat,lon,intensity\n" + 3000 * " ")
+    with pytest.raises(sp.InputError, match=refused):
+        read_shakemap(path)
+    path.write_text("id,preset\n" + 3000 * " ")
+    with pytest.raises(sp.InputError, match=refused):
+        assess(path, city(tmp_path), tmp_path / "out")
 
 
 def test_an_uncertainty_must_be_of_the_same_places(tmp_path):

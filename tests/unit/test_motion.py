@@ -25,7 +25,7 @@ NOISE = np.random.default_rng(7).normal(size=200)
         (["a", "b"], "real numbers"),
         ([1j, 0j], "real numbers"),
         ([True, False], "real numbers"),
-        ([0.0, 2e4], "10000"),
+        ([0.0, 2e3], "1000"),
         ([[1.0], [1.0, 2.0]], "one row"),
         (None, "real numbers"),
         (np.ma.masked_array([1.0, 2.0], [False, True]), "gaps"),
@@ -126,7 +126,7 @@ def test_a_still_floor_has_no_peaks():
     assert (motion.pga, motion.pgv, motion.pgd, motion.arias, motion.significant_duration) == (0, 0, 0, 0, 0)
 
 
-@pytest.mark.parametrize("size", [1e-300, 1e-160, 1e-80, 1e4])
+@pytest.mark.parametrize("size", [1e-300, 1e-160, 1e-80, 1e3])
 def test_peaks_of_tiny_and_huge_records_are_finite(size):
     motion = Motion(0.01, size * NOISE / np.abs(NOISE).max())
     peaks = motion.peaks()["x"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Any
 
@@ -104,7 +105,7 @@ def both_print(file: Path) -> str:
         (joint(second="door"), "joints[0].second is 'door'"),
         (joint(slack=0.1), "In [joints[0]]: A joint at one point has a slack of 0.1 m"),
         (joint(second="chest"), "In [joints[0]]: A joint joins 'chest' to itself"),
-        (joint(at=[0.0, 0.0, 9.0]), "joints[0] holds 'chest' at a point 8.75 m from its centre of gravity"),
+        (joint(at=[0.0, 0.0, 9.0]), "joints[0] holds 'chest' at a point 8.5 m outside of it"),
         ({"static_friction": 0.1}, "kinetic_friction is 0.3; it must be between 0 and 0.1"),
         ({"shaking": {"record": "none.csv"}}, "In [shaking]: '"),
         (piece(2, at=[0.1, 0.0]), "'chest' and 'vase' begin 0.15 m inside each other"),
@@ -204,3 +205,43 @@ def test_a_table_in_a_room_is_a_list_of_one() -> None:
     room: dict[str, Any] = {"plan": {"width": 3.0, "length": 3.0}, "shaking": STILL}
     runs = [sp.Scenario.parse({"furniture": stated, **room}).run() for stated in (table, [table])]
     assert runs[0].place.tobytes() == runs[1].place.tobytes()
+
+
+WINDOW = {"wall": "right_wall", "start": 0.5, "width": 0.8}
+OPENINGS = {"plan": {"width": 3.6, "length": 2.7}, "doors": [{**WINDOW, "start": 0.2}]}
+
+
+@pytest.mark.parametrize(
+    ("changed", "english", "japanese"),
+    [
+        (
+            {"furniture": {"preset": "bookcase", "mass": 80_000.0}},
+            "a mean density of 1.85e+05 kg/m³",
+            "平均密度",
+        ),
+        ({"furniture": {"preset": "wardrobe", "mass": 0.001}}, "between 1 and 25,000 kg/m³", "平均密度"),
+        ({"furniture": {"preset": "chest", "width": 100.0}}, "between 0.001 and 30", "0.001～30"),
+        ({"shaking": {"pga": 2937.0}}, "between 0.001 and 1000", "0.001～1000"),
+        (
+            {**OPENINGS, "windows": [WINDOW]},
+            "windows[0] overlaps doors[0] by 0.5 m of the same wall",
+            "重なって",
+        ),
+    ],
+)
+def test_what_no_room_has(tmp_path: Path, changed: dict[str, Any], english: str, japanese: str) -> None:
+    file = written(tmp_path, ONE | changed)
+    assert english in printed(file)
+    assert japanese in printed(file, "--lang", "ja")
+
+
+def test_a_window_may_be_above_a_door() -> None:
+    assert sp.FloorPlan(
+        3.6, 2.7, [sp.Door("right_wall", 0.2, 0.8)], [sp.Window("right_wall", 0.5, 0.8, sill=1.9)]
+    )
+
+
+@pytest.mark.skipif(os.name != "posix", reason="pipes with names are those of POSIX")
+def test_a_pipe_that_nobody_writes_to_is_not_waited_for(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.toml")
+    assert "it could not be read: a device or a pipe" in both_print(tmp_path / "pipe.toml")

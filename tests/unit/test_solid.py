@@ -292,7 +292,7 @@ CUBE = Body.box(1.0, 1.0, 1.0, 12.0).solid
 @pytest.mark.parametrize(
     ("make", "sentence", "field"),
     [
-        (lambda: Body.box(0.0, 1, 1, 1), r"Width is 0 m; it must be between 0.001 and 100 m", "width"),
+        (lambda: Body.box(0.0, 1, 1, 1), r"Width is 0 m; it must be between 0.001 and 30 m", "width"),
         (lambda: Body.box(1, 1, 1800, 1), "Height is 1800 m", "height"),
         (lambda: Body.box(1, "1", 1, 1), "Length is '1'; it must be a number", "length"),
         (lambda: Body.box(1, 1, 1, -1), "Mass is -1 kg", "mass"),

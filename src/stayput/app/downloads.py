@@ -19,6 +19,7 @@ from starlette.responses import Response
 from stayput.app.messages import refused
 from stayput.app.middleware import REPORT_POLICY
 from stayput.app.running import own_measures, runs_of
+from stayput.files import harmless
 from stayput.report.animation import animate_run
 from stayput.report.names import names_of
 from stayput.scenario.shaking import RECORD_FILES
@@ -91,7 +92,9 @@ def run_csv(scenario: Scenario, *, held: bool, sample: int | None = None) -> str
     writer.writerow(["piece", *tables[0][1], *(["mode"] if modes else [])])
     for name, columns in tables:
         for sample, values in enumerate(zip(*(column.tolist() for column in columns.values()), strict=True)):
-            writer.writerow([name, *(f"{value:.9g}" for value in values), *modes[sample : sample + 1]])
+            writer.writerow(
+                [harmless(name), *(f"{value:.9g}" for value in values), *modes[sample : sample + 1]]
+            )
     return text.getvalue()
 
 

@@ -31,6 +31,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "connection_refused": ("connection refused", "接続が拒否されました"),
     "not_one_of": ("{name} is {value}{hint}; it must be one of {known}.",
                    "{name}が{value}になっています{hint}。次のいずれかにしてください：{known}"),
+    "endless_line": ("{file} has a line of more than {most:,} characters; it is no table.",
+                     "{file}に{most:,}文字を超える行があり、表として読めません。"),
     "folder_is_file": ("The folder is {folder}; it must be a folder, and {path} is a file.",
                        "{folder}はフォルダーにしてください。{path}はファイルです。"),
     "not_allowed": ("{name} is {value}{hint}; it must be {allowed}.",

@@ -11,6 +11,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "bearing_insets": (("smaller, so that the base carries the centre of gravity, {x:g} m right of the "
                         "middle"),
                        "中央から{x:g} m右の重心を底面が支えられる、より小さい値"),
+    "density": (("The mass of {mass:g} kg makes a mean density of {density:.3g} kg/m³ for this size; it must "
+                 "be between {least:g} and {most:,.0f} kg/m³."),
+                ("質量{mass:g} kgでは、この大きさの平均密度が{density:.3g} kg/m³になります。"
+                 "{least:g}～{most:,.0f} kg/m³の範囲になる値にしてください。")),
     "not_of_its_shape": (("{name} follows from the shape of the body; make another body with Body.hull, "
                           ".box, .cylinder or .mesh."),
                          ("{name}は立体の形から決まります。Body.hull、.box、.cylinder、"

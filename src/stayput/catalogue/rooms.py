@@ -14,6 +14,10 @@ TEXTS: dict[str, tuple[str, str]] = {
                      "the wall ends."),
                     ("開口部の終わりが壁に沿って{end:g} mになっています。"
                      "壁の長さ{most:g} m以下にしてください。")),
+    "openings_overlap": (("{name} overlaps {other} by {overlap:.3g} m of the same wall; openings must stand "
+                          "beside each other."),
+                         ("{name}が同じ壁の{other}と{overlap:.3g} m重なっています。"
+                          "重ならないように配置してください。")),
     "same_name": ("Two are named {name}; each must have a name of its own.",
                   "{name}という名前が2つあります。それぞれに異なる名前を付けてください。"),
     "outside": (("The place {name} reaches out of the room; it must be between 0 and {width:g} m along x "

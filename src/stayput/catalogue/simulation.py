@@ -35,10 +35,10 @@ TEXTS: dict[str, tuple[str, str]] = {
                           "たるみは2点間（to）の接合部だけに指定できます。")),
     "joint_piece": ("A joint names piece {number}; the last one is {last}.",
                     "接合部が家具{number}を指していますが、最後の家具は{last}です。"),
-    "joint_astray": (("{name} holds {piece} at a point {apart:.3g} m from its centre of gravity; it must "
-                      "be no more than {most:.3g} m, twice its diagonal."),
-                     ("{name}の点が{piece}の重心から{apart:.3g} m離れています。"
-                      "対角線の2倍の{most:.3g} m以内にしてください。")),
+    "joint_in_the_air": (("{name} holds {piece} at a point {apart:.3g} m outside of it; it must be no more "
+                          "than {most:g} m from it."),
+                         ("{name}の点が{piece}から{apart:.3g} m離れています。"
+                          "{most:g} m以内にしてください。")),
     "settles": (("Sinking into the floor, by {value:g} mm, is left out for {pieces}: it is computed for "
                  "boxes alone."),
                 ("{pieces}については、床への沈み込み（{value:g} mm）を考慮していません（沈み込みは直方体だ"

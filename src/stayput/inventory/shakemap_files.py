@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning, not_allowed, quoted, unknown, warn, within
+from stayput.files import table_lines
 from stayput.inventory.columns import header_name
 from stayput.inventory.folder import unreadable
 from stayput.inventory.shakemap import MapField, ShakeMap, field_of, field_of_grid, unwrapped
@@ -155,7 +156,7 @@ def _of_csv(path: Path, wanted: str | None) -> ShakeMap:
     rows: dict[tuple[float, float], tuple[int, float, float]] = {}
     try:
         with path.open(encoding="utf-8-sig", newline="") as file:
-            reader: Any = csv.reader(file)
+            reader: Any = csv.reader(table_lines(file, path))
             nothing: list[str] = []
             first: list[str] = next(reader, nothing)
             header = [_column(name) for name in first]

@@ -19,7 +19,7 @@ from xml.etree.ElementTree import iterparse
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, absent, not_allowed
-from stayput.files import arrow
+from stayput.files import arrow, table_lines
 from stayput.inventory.cells import Cell, Unusable
 from stayput.inventory.folder import unreadable
 
@@ -170,7 +170,7 @@ def _csv(path: Path) -> Generator[Opened]:
     try:
         with path.open(encoding=encoding, newline="") as file:
             delimiter = _delimiter(file)
-            rows = _csv_rows(csv.reader(file, strict=True, delimiter=delimiter))
+            rows = _csv_rows(csv.reader(table_lines(file, path), strict=True, delimiter=delimiter))
             read_as = {"utf-8-sig": "UTF-8", "utf-16": "UTF-16"}.get(encoding, encoding)
             between = {";": " with semicolons", "\t": " with tabs", "|": " with bars"}.get(delimiter, "")
             yield rows, read_as + between, delimiter == ";"

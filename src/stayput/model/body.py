@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from stayput.catalogue import phrase
 from stayput.errors import InputError, finite, instance_of, list_of, not_allowed, numbers
 from stayput.model.parameters import (
+    DENSITY_RANGE,
     GRAVITY,
     MASS_RANGE,
     SIZE_RANGE,
@@ -31,6 +32,9 @@ if TYPE_CHECKING:
 
 MOST_INSET = 0.45
 """Largest inset of a base corner, as a part of the width."""
+
+UNSTATED_LENGTH = (0.05, 5.0)
+"""Shortest and longest length that a body may have whose length is not stated [m]."""
 
 _SIZE, _MASS = ("m", *SIZE_RANGE), ("kg", *MASS_RANGE)
 _OFFSET = ("m", -SIZE_RANGE[1], SIZE_RANGE[1])
@@ -149,6 +153,7 @@ class Body(Shapes, Brief):
                 if getattr(self, about.name) != value:
                     raise InputError("model.not_of_its_shape", about.name, name=about.name)
             return
+        self._refuse_absurd_density()
         for name in ("cg_offset", "base_heights", "base_insets"):
             numbers(parameter_of(Body, name).label, getattr(self, name), name, count=2)
         label = parameter_of(Body, "cg_offset").label
@@ -169,6 +174,16 @@ class Body(Shapes, Brief):
         if not left < 0.0 < right:
             label, bearing = parameter_of(Body, "base_insets").label, phrase("model.bearing_insets", x=e_x)
             raise not_allowed(label, repr(self.base_insets), bearing, "base_insets")
+
+    def _refuse_absurd_density(self) -> None:
+        """Refuse a mass that no furniture of this size has: mostly grams or tonnes in place of kilograms."""
+        section = self.width * self.height
+        shortest, longest = (self.length, self.length) if self.length else UNSTATED_LENGTH
+        least, most = DENSITY_RANGE
+        if not least * section * shortest <= self.mass <= most * section * longest:
+            length = longest if self.mass > most * section else shortest
+            density = self.mass / (section * length)
+            raise InputError("model.density", "mass", mass=self.mass, density=density, least=least, most=most)
 
     def _repr_html_(self) -> str:
         from stayput.report.notebook import body_html

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
@@ -69,6 +70,9 @@ PLACES: dict[str, PlacePreset] = {
 
 PLACE_NAMES: dict[str, Phrase] = {kind: phrase(f"rooms.{kind}") for kind in PLACES}
 """What places by kind are called."""
+
+DOOR_HEIGHT = 1.8
+"""A window whose sill is so high may be above a door [m]."""
 
 _WALL = quantity("", 0.0, 0.0, phrase("rooms.wall"), choices=WALLS_AROUND)
 _ALONG = quantity("m", 0.0, ROOM_SIZE[1], ("start", "始まり"))
@@ -299,6 +303,7 @@ class FloorPlan:
                 end, most = item.start + item.width, self.side(item.wall)
                 if end > most + 1e-9:
                     raise errors.InputError("rooms.beyond_wall", f"{kind}[{number}]", end=end, most=most)
+        self._refuse_overlaps()
         for kind, items in (("doors", self.doors), ("places", self.places)):
             errors.refuse_same_names(kind, [item.name for item in items])
         for number, place in enumerate(self.places):
@@ -310,6 +315,25 @@ class FloorPlan:
                     name=name_quoted(place.name, PLACE_NAMES),
                     width=self.width,
                     length=self.length,
+                )
+
+    def _refuse_overlaps(self) -> None:
+        """Refuse two openings at one place of a wall; a window may be above a door."""
+        openings = [
+            *((f"doors[{number}]", door, 0.0, DOOR_HEIGHT) for number, door in enumerate(self.doors)),
+            *(
+                (f"windows[{number}]", window, window.sill, math.inf)
+                for number, window in enumerate(self.windows)
+            ),
+        ]
+        for (name, first, low, high), (other, second, bottom, top) in combinations(openings, 2):
+            start, end = (
+                max(first.start, second.start),
+                min(first.start + first.width, second.start + second.width),
+            )
+            if first.wall == second.wall and end - start > 1e-9 and low < top and bottom < high:
+                raise errors.InputError(
+                    "rooms.openings_overlap", other, name=other, other=name, overlap=end - start
                 )
 
     def with_places(self, others: Mapping[int, PersonPlace]) -> FloorPlan:

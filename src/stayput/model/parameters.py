@@ -21,11 +21,14 @@ from stayput.uncertainty import Confidence
 
 F = TypeVar("F", bound="Callable[..., Any]")
 
-SIZE_RANGE = (1e-3, 100.0)
-"""Smallest and largest width and height that are accepted [m]."""
+SIZE_RANGE = (1e-3, 30.0)
+"""Smallest and largest width and height that are accepted [m]: up to the racks of a warehouse."""
 
 MASS_RANGE = (1e-3, 1e6)
 """Smallest and largest mass that is accepted [kg]."""
+
+DENSITY_RANGE = (1.0, 25_000.0)
+"""Smallest and largest mean density that is accepted [kg/m³]: about those of air and of platinum."""
 
 GIVEN = "given"
 """Tag of a value that the user has given himself, beside those of `stayput.uncertainty.Confidence`."""

@@ -10,15 +10,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stayput.errors import InputError, within
+from stayput.model.parameters import DENSITY_RANGE
 from stayput.model.polyhedron import enclosed_volume, inertia_of, triangulated, uniform_cone
 from stayput.model.solid import Solid
 from stayput.model.solid_fields import checked_mass, read_convex_mesh, side
 
 SIDES = 32
 """Sides of the polygons that stand for circles."""
-
-DENSITY_RANGE = (1.0, 25_000.0)
-"""Smallest and largest density that is accepted [kg/m³]."""
 
 
 class OwnFields(TypedDict, total=False):

@@ -146,8 +146,8 @@ class Peaks:
 STEP_RANGE = (1e-6, 1.0)
 """Smallest and largest time step that is accepted [s]."""
 
-LARGEST_ACCELERATION = 1e4
-"""Largest acceleration that is accepted [m/s²]."""
+LARGEST_ACCELERATION = 1e3
+"""Largest acceleration that is accepted [m/s²]: some 25 times the strongest recorded on the ground."""
 
 MOST_SAMPLES = 20_000_000
 """Largest number of samples that is accepted."""

@@ -238,6 +238,8 @@ def read_toml(file: Path) -> dict[str, object]:
         It cannot be read, is too large, is not TOML, or has keys, brackets or numbers beyond the bounds.
     """
     try:
+        if file.exists() and not (file.is_file() or file.is_dir()):  # a pipe that nobody writes to never ends
+            raise _refused(file, "not_read", reason=phrase("motion.a_device"))
         with file.open("rb") as opened:
             data = opened.read(LARGEST_FILE + 1)
     except (OSError, ValueError) as error:  # ValueError: a zero byte in the path

@@ -107,6 +107,9 @@ class Joint:
 STRENGTH_RANGE = (1e-3, 1e9)
 """Smallest and largest strength of a joint but inf [N]."""
 
+JOINT_REACH = 0.1
+"""How far the point of a joint may be from a piece, as the plates and straps that are sold reach [m]."""
+
 MOST_BODIES = 100
 """Most bodies of a scene."""
 
@@ -220,11 +223,14 @@ class Scene:
                 raise InputError("simulation.joint_piece", key, number=last, last=len(self.pieces) - 1)
             for body, at in ((joint.first, joint.at), (joint.second, joint.to or joint.at)):
                 piece = self.pieces[body]
-                reach = 2.0 * float(np.linalg.norm(np.ptp(piece.solid.vertices, axis=0)))
-                apart = float(np.linalg.norm(np.asarray(at) - piece.place))
-                if apart > reach:
-                    name, holds = f"joints[{number}]", self.called(body)
-                    raise InputError("simulation.joint_astray", name, piece=holds, apart=apart, most=reach)
+                point = piece.turn.T @ (np.asarray(at) - np.asarray(piece.at))
+                low, high = piece.solid.vertices.min(axis=0), piece.solid.vertices.max(axis=0)
+                apart = float(np.linalg.norm(point - np.clip(point, low, high)))
+                if apart > JOINT_REACH:
+                    name, owner = f"joints[{number}]", self.called(body)
+                    raise InputError(
+                        "simulation.joint_in_the_air", name, piece=owner, apart=apart, most=JOINT_REACH
+                    )
 
     def called(self, number: int) -> str:
         """Return how sentences call a piece."""
