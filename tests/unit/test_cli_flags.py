@@ -11,7 +11,7 @@ from commands import BEDROOM, SLENDER, cli
 from typer.testing import CliRunner
 
 import stayput as sp
-from stayput.cli import app
+from stayput.cli import app, successors
 from stayput.cli.flags import changed, value_of
 
 
@@ -326,3 +326,18 @@ def test_an_assessment_takes_it_of_each_of_its_scenarios(file: Path, monkeypatch
 def test_a_key_that_no_file_may_have_is_refused_by_python_too() -> None:
     with pytest.raises(sp.InputError, match="only one of the two must be given"):
         changed({}, {"set": ["title=a", "title=b"]})
+
+
+@pytest.mark.parametrize(("language", "place"), [("en", "in its place there is"), ("ja", "代わりに")])
+def test_what_is_gone_names_its_successor(language, place):
+    for command, successor in successors.COMMANDS.items():
+        refused = cli("--lang", language, command, "x.toml")
+        assert refused.exit_code == 2
+        assert place in refused.stderr
+        assert f"`{successor}`" in refused.stderr
+    for flag, successor in successors.FLAGS.items():
+        refused = cli("simulate", "--lang", language, flag)
+        assert refused.exit_code == 2
+        assert place in refused.stderr
+        key = successor.removeprefix("--set ").removesuffix("=VALUE")
+        assert "is unknown" not in cli("simulate", "--set", f"{key}=[]").stderr  # there is such a key
