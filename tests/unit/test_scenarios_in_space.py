@@ -10,6 +10,7 @@ import pytest
 from commands import cli
 
 import stayput as sp
+from real_records import MOTIONS, recorded
 from stayput.measures import MEASURES
 from stayput.report.verdict.html import write_report
 from stayput.scenario import Scenario
@@ -91,6 +92,74 @@ def test_a_body_with_a_length_under_two_components_is_simulated_in_space() -> No
         sp.simulate(body, room, motion, dimensions=3)
     with pytest.raises(sp.InputError, match="is given for what is no lone Body"):
         sp.simulate(sp.Body.box(0.4, 0.9, 1.8, 100.0), room, motion, [sp.MEASURES["belt"]()], dimensions=3)
+
+
+WAVE = {"sine": {"amplitude": 4.0, "frequency": 1.0, "duration": 1.0}}
+HELD: dict[str, Any] = {
+    "furniture": {"preset": "bookcase"},
+    "room": {"left_wall": {"gap": 0.02}},
+    "shaking": WAVE,
+    "measures": [{"type": "l_bracket"}],
+    "uncertainty": {"samples": 1},
+}
+PAIR = {
+    "furniture": [{"preset": "bookcase"}, {"preset": "chest", "at": [2.0, 0.0]}],
+    "options": [{"name": "held", "measures": {"bookcase": [{"type": "l_bracket"}]}}],
+    "measures": None,
+}
+NO_LENGTH = {"furniture": {"width": 0.3, "height": 1.8, "mass": 90.0}}
+
+
+@pytest.mark.parametrize(
+    ("changes", "engine", "english", "japanese"),
+    [
+        ({}, "space", "a real earthquake shakes in three directions", "実際の地震は3方向に揺れ"),
+        (PAIR, "space", "a real earthquake shakes in three directions", "実際の地震は3方向に揺れ"),
+        (
+            {"dimensions": 2},
+            "plane",
+            "as asked: the shaking along its length is left out, and",
+            "指定のとおり",
+        ),
+        (NO_LENGTH, "plane", "since its length is not stated", "家具の幅（length）が指定されていないため"),
+    ],
+)
+def test_the_headline_says_what_a_verdict_on_a_held_piece_leaves_out(
+    changes: dict[str, Any], engine: str, english: str, japanese: str
+) -> None:
+    tables = {key: value for key, value in {**HELD, **changes}.items() if value is not None}
+    verdict = sp.verify(Scenario.parse(tables), levels=[])
+    answer = json.loads(verdict.to_json())
+    assert (answer["engine"], answer["components"]) == (engine, ["x"])
+    assert english in answer["verdict"]["en"]
+    assert japanese in answer["verdict"]["ja"]
+
+
+def test_only_what_nothing_holds_or_shakes_across_is_simulated_in_the_plane() -> None:
+    scenario = Scenario.parse(HELD)
+    free, held = scenario.case(), scenario.case(scenario.options[0].measures)
+    assert (free.in_space, held.in_space) == (False, True)
+    assert (free.run().engine, held.run().engine) == ("plane", "space")
+    verdict = sp.verify(free, measures=[], samples=1, levels=[])
+    assert json.loads(verdict.to_json())["engine"] == "plane"
+    assert verdict.sentence().endswith("cases.")
+
+
+@recorded
+def test_brackets_that_hold_under_one_component_of_a_record_fail_under_all_three() -> None:
+    record, across, vertical = (str(MOTIONS / f"jma_kobe_1995_{axis}.AT2") for axis in ("ns", "ew", "ud"))
+    place = {"building": {"storeys": 10, "structure": "RC"}, "storey": 8}
+    three = {"record": record, "across": across, "vertical": vertical, **place}
+    falls = {}
+    for name, changes in (("space", {}), ("plane", {"dimensions": 2})):
+        tables = {**HELD, "shaking": three, "uncertainty": {"samples": 6}, **changes}
+        verdict = sp.verify(Scenario.parse(tables), levels=[])
+        falls[name] = next(each for each in verdict.options if each.option.measures)
+        assert json.loads(verdict.to_json())["components"] == (
+            ["x", "y", "z"] if name == "space" else ["x", "z"]
+        )
+    assert falls["plane"].probabilities["overturned"].fell == 0
+    assert falls["space"].probabilities["overturned"].fell >= 2
 
 
 def test_sweeps_in_space_have_the_bits_of_single_runs() -> None:

@@ -212,9 +212,10 @@ def runs_of(scenario: Scenario, *sets: tuple[Measure, ...], sample: int | None =
         if not scenario.alone:
             return [scenario.run()]
         case, piece = scenario.case(), scenario.piece
+        held = replace(case, measures=own_measures(scenario))  # both are shown side by side, by one engine
         for measures in sets:
             place = "measures" if measures else "scene"
-            run = replace(case, measures=measures).run(MOST_EVENTS)
+            run = replace(case, measures=measures, dimensions=3 if held.in_space else 2).run(MOST_EVENTS)
             runs.append(run.named([piece.name or piece.preset or ANY_PIECE[0]]))
     except InputError as error:
         raise RefusedError(422, error.about(place)) from None

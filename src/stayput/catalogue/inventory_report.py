@@ -2,6 +2,11 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     "title": ("Furniture at risk", "家具の転倒危険度"),
+    "in_plane": (("For the sake of their number pieces are simulated in the plane of their depth: the "
+                  "shaking along their length is left out, and measures that hold here may fail in a real "
+                  "earthquake."),
+                 ("数が多いため、各家具を奥行き方向だけで計算しています。幅の方向の揺れは含まれず、"
+                  "ここでは持ちこたえる対策も、実際の地震では外れることがあります。")),
     # Numbers
     "share": ("{value} %", "{value}%"),
     "given_up": ("all runs were given up", "すべての計算を打ち切り"),

@@ -9,20 +9,27 @@ TEXTS: dict[str, tuple[str, str]] = {
                     "計測震度は床の揺れから計算した値でその場所の震度ではなく、最大値も床のものです。"
                     "設備の指針とAC156は建物の階数によるため省いています。")),
     "strength": ("Strength of the ground's shaking: {strength}.", "地面の揺れの強さ：{strength}。"),
-    "in_space": (("Simulated in space, under all components of the motions; the piece faces "
+    "in_space": (("Simulated in space, under all components of the motions ({components}); the piece faces "
                   "{heading:.0f}° from their x."),
-                 ("三次元で、地震動のすべての成分を使って計算しました（家具の向きはx成分から"
+                 ("三次元で、地震動のすべての成分（{components}）を使って計算しました（家具の向きはx成分から"
                   "{heading:.0f}°）。")),
-    "in_space_drawn": (("Simulated in space, under all components of the motions, whose direction in plan is "
-                        "drawn anew in each run."),
-                       "三次元で、地震動のすべての成分を使い、x成分の向きを毎回変えて計算しました。"),
+    "in_space_drawn": (("Simulated in space, under all components of the motions ({components}), whose "
+                        "direction in plan is drawn anew in each run."),
+                       ("三次元で、地震動のすべての成分（{components}）を使い、"
+                        "x成分の向きを毎回変えて計算しました。")),
     "no_length": (("Simulated in the plane of the piece's depth, since its length is not stated: the "
-                   "shaking along it is left out, which the devices bear too."),
+                   "shaking along the length is left out{held}."),
                   ("家具の幅（length）が指定されていないため、奥行き方向だけで計算しました。"
-                   "幅の方向の揺れとその分の器具の負担は省いています。")),
-    "in_plane": (("Simulated in the plane of the piece's depth: the shaking along its length is left out, "
-                  "which the devices bear too."),
-                 "奥行き方向だけで計算しました。幅の方向の揺れとその分の器具の負担は省いています。"),
+                   "幅の方向の揺れは含まれません{held}。")),
+    "in_plane": (("Simulated in the plane of the piece's depth, as asked: the shaking along its length is "
+                  "left out{held}."),
+                 "指定のとおり奥行き方向だけで計算しました。幅の方向の揺れは含まれません{held}。"),
+    "may_fail": (", and what holds here may fail in a real earthquake",
+                 "（ここでは持ちこたえる器具も、実際の地震では外れることがあります）"),
+    "one_component": (("The motion has one horizontal component: a real earthquake shakes in three "
+                       "directions, and what holds the furniture bears more."),
+                      ("地震動の水平成分は1つだけです。実際の地震は3方向に揺れ、"
+                       "器具の負担はこれより大きくなります。")),
     # verification
     "needs_coulomb": ("'coulomb' for a verification", "検証では'coulomb'"),
     "slide_limit": ("Slide limit", "移動量の上限"),

@@ -221,7 +221,6 @@ def done(facts: Mapping[str, Any], manifest: Mapping[str, Any], contents: bool) 
         in_one([read, *reversed(_columns_told(facts)), empty_told(facts)]),
         *map(_scenario, manifest["scenarios"]),
         tell("units", choices=choices, units=f"{facts['units']:,}"),
-        phrase("verification.in_plane"),
         tell("slide_limit", limit=manifest["slide limit"]),
         *([tell("contents_followed", most=MOTIONS)] if contents else []),
         tell("intervals"),
@@ -262,7 +261,8 @@ def printed_lines(
         Whether the pieces are exported for a map.
     """
     rows, pieces = rows_counted(facts["rows"]), f"{facts['pieces']:,}"
-    lines = [tell("printed_read", rows=rows, how=read_as(facts), pieces=pieces), *_columns_told(facts)]
+    read = tell("printed_read", rows=rows, how=read_as(facts), pieces=pieces)
+    lines = [tell("in_plane"), read, *_columns_told(facts)]
     if facts["rejects"]:
         lines.append(tell("printed_rejects", rows=rows_counted(facts["rejects"])))
     lines += (

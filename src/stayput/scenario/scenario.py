@@ -23,7 +23,7 @@ from stayput.scenario.scene import SceneTables
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import ContentsTable, EverydayTable, Heading, InitialTable
 from stayput.scenario.toml import read_toml
-from stayput.simulation.case import Case, moves_in_space, simulate
+from stayput.simulation.case import Case, needs_space, simulate
 from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
@@ -77,7 +77,8 @@ class Scenario(SceneTables):
         default=None,
         alias="dimensions",
         description="2: a lone piece in the plane of its depth, under the component along it, by default "
-        "where nothing shakes it across; 3: in space, under all components, as several pieces always are.",
+        "where it has no length, or nothing holds it or shakes it across; 3: in space, under all components, "
+        "as several pieces always are.",
     )
     initial: InitialTable = Field(default_factory=InitialTable, description="The initial state.")
     everyday: EverydayTable = Field(
@@ -148,13 +149,27 @@ class Scenario(SceneTables):
             return self.stated_dimensions or 3
         body = self.piece.body()
         across = body.length is not None and self.shakes_across
-        return 3 if moves_in_space(body, self.room.room(), across=across) else 2
+        in_python = self._own_options
+        held = in_python is None or any(each.measures for each in in_python)  # by default the usual ones
+        return 3 if needs_space(body, self.room.room(), across=across, held=held) else 2
 
     @cached_property
+    def ground_components(self) -> frozenset[str]:
+        """Components that any of the motions of the ground has: of "x", "y", "z"."""
+        with self.naming_file("shaking"):
+            motions = self.shaking.ground(self._folder)
+        return frozenset(name for motion in motions for name in motion.components)
+
+    @property
     def has_two_components(self) -> bool:
         """Whether any of the motions of the ground has two horizontal components."""
-        with self.naming_file("shaking"):
-            return any(motion.y is not None for motion in self.shaking.ground(self._folder))
+        return "y" in self.ground_components
+
+    @property
+    def components(self) -> tuple[str, ...]:
+        """Components of the motions that act in a verification: some of "x", "y", "z"."""
+        acts = {"x": True, "y": self.dimensions == 3, "z": bool(self.shaking.vertical)}
+        return tuple(name for name in acts if acts[name] and name in self.ground_components)
 
     @property
     def shakes_across(self) -> bool:
@@ -171,13 +186,8 @@ class Scenario(SceneTables):
         drawn = self.plan is not None or self.has_two_components
         return None if self.direction is None and drawn else self.direction or 0.0
 
-    @property
-    def has_a_plane(self) -> bool:
-        """Whether it is of a lone piece that may be run in the plane."""
-        return self.alone and not self.room.room().has_side_walls
-
     def in_plane(self) -> Self:
-        """Return the same of a lone piece in the plane: a draft, or for many pieces."""
+        """Return the same of a lone piece in the plane, which inventories are simulated in."""
         return self.model_copy(update={"stated_dimensions": 2})
 
     @property
@@ -228,7 +238,7 @@ class Scenario(SceneTables):
         if quantities is not None:
             changed["uncertainty"] = self.uncertainty.with_quantities(quantities)
         copy = self.model_copy(update=changed)
-        vars(copy).pop("has_two_components", None)  # which a copy takes along
+        vars(copy).pop("ground_components", None)  # which a copy takes along
         if measures is not None:
             _refuse_same_names(measures)
             copy._own_options = tuple(measures)

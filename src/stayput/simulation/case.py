@@ -93,12 +93,13 @@ class Case(Brief):
 
     @property
     def in_space(self) -> bool:
-        """Whether it is simulated in space: as asked, else where body and motion have a third direction."""
+        """Whether it is simulated in space: as asked, else where `needs_space` says so."""
         if self.dimensions is not None:
             return self.dimensions == 3
         if self.contact != "coulomb":
             return self.body.shape is not None
-        return moves_in_space(self.body, self.room, across=self.motion.y is not None)
+        across, held = self.motion.y is not None, bool(self.measures)
+        return needs_space(self.body, self.room, across=across, held=held)
 
     def run(self, most_events: int | None = None) -> Run:
         """Simulate the case.
@@ -112,13 +113,24 @@ class Case(Brief):
         return simulate(**arguments, most_events=most_events)
 
 
-def moves_in_space(body: Body, room: Room, *, across: bool) -> bool:
-    """Return whether a body leaves the plane of its depth: where the floor shakes across it, or walls stand.
+def needs_space(body: Body, room: Room, *, across: bool, held: bool) -> bool:
+    """Return whether a lone body is simulated in space, under all components of the motion.
 
-    Then it is run in space, under all components; else the plane is exact, and sees each event. A box without
-    a length has no third direction.
+    The plane is exact for a free box that the floor shakes along its depth alone. What holds a piece bears
+    the shaking along its length too, so a held piece is in the plane only where it has no length.
+
+    Parameters
+    ----------
+    body, room
+        What stands, and where.
+    across : bool
+        Whether the floor shakes it along its length too.
+    held : bool
+        Whether measures hold it, or what it is compared with.
     """
-    return body.shape is not None or (body.length is not None and (across or room.has_side_walls))
+    if body.shape is not None:
+        return True
+    return body.length is not None and (across or held or room.has_side_walls)
 
 
 @overload
@@ -154,9 +166,9 @@ def simulate(
 ) -> Run:
     """Simulate a scene, or a body or a piece in a room, under one motion of the floor.
 
-    ``simulate(scene, motion)`` and ``simulate(body, room, motion)``: a `Body` is simulated in the plane, or
-    where it has a length and the motion a component ``y``, or a shape of its own, in space; ``dimensions``
-    chooses. A `Piece` and a `Scene` are simulated in space.
+    ``simulate(scene, motion)`` and ``simulate(body, room, motion)``: a `Body` is simulated in the plane; in
+    space where it has a shape of its own, or a length and measures, side walls or a motion with a component
+    ``y``; ``dimensions`` chooses. A `Piece` and a `Scene` are simulated in space.
 
     Parameters
     ----------

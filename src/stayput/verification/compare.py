@@ -80,12 +80,12 @@ def compare(
         floors, settings = contest.floors, contest.settings
         estimates = Estimates.of(scenario.piece.body(), floors, scenario, threads) if scenario.alone else None
 
-        def so_far(outcomes: Sequence[Runs], samples: int, by: Contest = contest) -> Verdict:
+        def so_far(outcomes: Sequence[Runs], samples: int) -> Verdict:
             verdict = Verdict(
-                scenario=by.scenario,
+                scenario=scenario,
                 intensity=floors.median_intensity,
                 slide_limit=limit,
-                options=verdicts_of(by, options, outcomes),
+                options=verdicts_of(contest, options, outcomes),
                 estimates=estimates,
                 motions=settings.motions,
                 samples=samples,
@@ -107,11 +107,6 @@ def compare(
             return contest.run(options, samples, start, keep=scenario.plan is not None)
 
         first = FIRST_SAMPLES if contest.in_plane else -(-FIRST_RUNS // settings.motions)
-        if on_verdict is not None and not contest.in_plane and scenario.has_a_plane:
-            # what the plane says meanwhile, as if the file asked for it; its runs do not count
-            draft = Contest(scenario.in_plane(), limit, threads, advance=lambda _runs: count(0))
-            few = min(settings.samples, first)
-            so_far(draft.run(options, few), few, draft)
         # All options go on together, since they are compared sample by sample.
         here, samples, precise = sample_until_precise(
             len(options),

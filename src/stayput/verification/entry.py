@@ -122,12 +122,9 @@ def scenario_of_case(
     if case.contact != "coulomb":
         raise not_allowed("model.contact", repr(case.contact), "verification.needs_coulomb", "contact")
     in_place = named_sets([case.measures]) if case.measures else []
-    own_tables = {
-        "initial": asdict(case.initial),
-        "gravity": case.gravity,
-        "dimensions": 3 if case.in_space else 2,
-        "direction": 0.0,
-    }
+    own_tables: dict[str, Any] = {"initial": asdict(case.initial), "gravity": case.gravity, "direction": 0.0}
+    if case.dimensions is not None:
+        own_tables["dimensions"] = case.dimensions
     further = named_sets(() if measures is None else measures)
     sets = {named.name: named.measures for named in (*in_place, *further)}
     tables = dict(tables) | own_tables

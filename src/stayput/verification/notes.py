@@ -192,19 +192,27 @@ def shaken_notes(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
     if any(slides_off(option, verdict) for option in verdict.options):
         yield phrase("verification.slides_off", far=FAR)
     yield from _contents(verdict)
-    yield from _engine(verdict.scenario)
-
-
-def _engine(scenario: Scenario) -> Iterator[Phrase]:
-    """Yield that a piece was simulated in space, or what the plane leaves out."""
-    body = scenario.piece.body()
+    scenario = verdict.scenario
     if scenario.dimensions == 3:
         drawn = scenario.points is None
         turned = math.remainder(scenario.facing - (scenario.points or 0.0), 2.0 * math.pi)
         heading = round(math.degrees(turned))  # a whole number: no −0
-        yield phrase("verification.in_space_drawn" if drawn else "verification.in_space", heading=heading)
-    elif scenario.shakes_across:
-        yield phrase("verification.no_length" if body.length is None else "verification.in_plane")
+        key = "verification.in_space_drawn" if drawn else "verification.in_space"
+        yield phrase(key, heading=heading, components=", ".join(scenario.components))
+
+
+def left_out_of_held(verdict: Verdict) -> Phrase | None:
+    """Return what the engine or the motions leave out that what holds the furniture would bear too.
+
+    It stands in the headline, since a measure may then fail that holds here. None where nothing is left out.
+    """
+    scenario, held = verdict.scenario, any(result.option.measures for result in verdict.options)
+    if scenario.dimensions == 2 and (held or scenario.shakes_across):
+        key = "verification.no_length" if scenario.piece.body().length is None else "verification.in_plane"
+        return phrase(key, held=phrase("verification.may_fail") if held else "")
+    if held and not scenario.has_two_components:
+        return phrase("verification.one_component")
+    return None
 
 
 def _field(verdict: Verdict) -> Iterator[Phrase]:

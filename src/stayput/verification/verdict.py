@@ -348,11 +348,16 @@ class Verdict(InJson):
 
     def sentence(self, language: str = "en") -> str:
         """Return the verdict in one sentence, in "en" or "ja"."""
+        from stayput.catalogue import say
+        from stayput.verification.notes import left_out_of_held
         from stayput.verification.room_words import sentence_of_room
         from stayput.verification.words import headline
 
         sentence = headline if self.scenario.plan is None else sentence_of_room
-        return sentence(self, check_language(language))
+        said, left_out = sentence(self, check_language(language)), left_out_of_held(self)
+        if left_out is None:
+            return said
+        return (" " if language == "en" else "").join((said, say(left_out, language)))
 
     def label(self, option: OptionVerdict, language: str = "en") -> str:
         """Return what an option consists of, in "en" or "ja": "Belts on the bookcase"."""

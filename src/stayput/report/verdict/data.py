@@ -179,6 +179,7 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         "settled_runs": verdict.settled,
         **attributes(verdict, "seed", "precise", "seconds", "complete"),
         "engine": "plane" if verdict.scenario.dimensions == 2 else "space",
+        "components": list(verdict.scenario.components),
         "direction_rad": verdict.scenario.direction,  # None: drawn, or along the depth
         "grades": {grade.value: by_language(meaning) for grade, meaning in MEANINGS.items()},
         "options": [_option(result, verdict) for result in verdict.options],
