@@ -81,7 +81,7 @@ def bits(run: sp.Run) -> dict[str, Any]:
 RUNS: dict[str, Callable[[], sp.Run]] = {
     "plane": lambda: sp.simulate(BOOKCASE, WALLED, waves(4.0, 1.0)),
     "plane_slides": lambda: sp.simulate(sp.Body(0.6, 0.7, 40.0), sp.Room(sp.Floor(0.25, 0.2)), waves(5.0)),
-    "plane_held": lambda: sp.simulate(BOOKCASE, WALLED, waves(6.0), BRACKET),
+    "plane_held": lambda: sp.simulate(BOOKCASE, WALLED, waves(6.0), BRACKET, dimensions=2),
     "plane_paper": lambda: sp.simulate(BOOKCASE, sp.Room(left_wall=WALL), waves(4.0), contact="paper"),
     "space": lambda: sp.simulate(BOOKCASE, WALLED, waves(4.0, 1.0), dimensions=3),
     "space_held": lambda: sp.simulate(BOOKCASE, WALLED, waves(6.0), BRACKET, dimensions=3),
