@@ -164,4 +164,4 @@ def test_a_slab_that_turns_back_slips_on_and_carries_the_one_on_it(omega: float,
     )
     second, third = np.abs(np.diff(run.place[:, :, 0], axis=0)).max(axis=1)
     assert third < 1e-6
-    assert second == pytest.approx(slide_of_one(omega, 8.0, (0.36, 0.26), 2.0), rel=0.04)
+    assert second == pytest.approx(slide_of_one(omega, 8.0, (0.36, 0.26), 2.0), rel=0.05)

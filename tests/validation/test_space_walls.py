@@ -122,3 +122,58 @@ def test_surfaces_that_touch_a_body_at_first_hold_nothing(x: float, room: dict[s
     free = sp.simulate(body, sp.Room(floor), motion, dimensions=3)
     between = sp.simulate(body, sp.Room(floor, **room), motion, dimensions=3)
     assert between.peak_slide == pytest.approx(free.peak_slide, rel=1e-3)
+
+
+def test_a_box_beside_a_wall_that_is_shaken_along_its_depth_does_not_turn_in_plan() -> None:
+    """Its halves are mirror images, even where friction allows one corner of a landing edge to bear all."""
+    body = sp.Body(0.354, 1.579, 80.0, length=0.3)
+    wall, motion = sp.Wall(0.0049, 0.834), sp.sine(7.80451, 3.59332, 3.0)
+    for friction, step in ((1.159, 1e-3), (1.159, 5e-4), (1.5, 1e-3)):
+        room = sp.Room(sp.Floor(friction, 0.975 * friction, restitution=0.64371), left_wall=wall)
+        planar = sp.simulate(body, room, motion, dimensions=2)
+        run = sp.simulate(body, room, motion, dimensions=3, step=step)
+        assert run.wall_impacts > 10
+        assert np.abs(run.yaw).max() < 1e-7
+        assert np.abs(run[0].slide_in_plan[:, 1]).max() < 1e-7
+        assert run.peak_slide == pytest.approx(planar.peak_slide, abs=1e-4)
+
+
+def slide_against_a_wall(motion: sp.Motion, friction: tuple[float, float], gap: float) -> float:
+    """Return the peak slide of a block on which a plastic wall stands at −gap, in steps of dt/400.
+
+    It stands while static friction holds it or it is pressed against the wall, and where it would turn back.
+    """
+    static, kinetic = (coefficient * 9.80665 for coefficient in friction)
+    h = motion.dt / 400
+    times = h * (np.arange(400 * (len(motion.x) - 1)) + 0.5)
+    x = v = peak = 0.0
+    for a in (-np.interp(times, motion.dt * np.arange(len(motion.x)), motion.x)).tolist():
+        if v == 0.0 and (abs(a) <= static or (x == -gap and a < 0.0)):
+            continue
+        after = v + h * (a - math.copysign(kinetic, v or a))
+        if after * v < 0.0 and abs(a) <= static:
+            after = 0.0
+        x, v = x + 0.5 * h * (v + after), after
+        if x <= -gap:
+            x, v = -gap, max(0.0, v)
+        peak = max(peak, abs(x))
+    return peak
+
+
+@pytest.mark.parametrize(
+    ("body", "friction", "gap", "sine"),
+    [
+        (sp.Body(1.02, 0.64, 50.0, length=0.51), (0.253, 0.209), 6.345e-3, (7.21, 4.62)),
+        (sp.Body(0.92, 1.73, 50.0, length=0.43), (0.396, 0.319), 3e-5, (6.85, 4.69)),
+        (sp.Body(0.51, 0.71, 50.0, length=0.87), (0.313, 0.254), 5.25e-3, (6.3, 4.15)),
+    ],
+)
+def test_a_block_that_slides_against_a_plastic_wall_leaves_it_when_its_friction_gives_way(
+    body: sp.Body, friction: tuple[float, float], gap: float, sine: tuple[float, float]
+) -> None:
+    room, motion = sp.Room(sp.Floor(*friction), left_wall=sp.Wall(gap, 0.0)), sp.sine(*sine, 3.0)
+    exact = slide_against_a_wall(motion, friction, gap)
+    for dimensions in (2, 3):
+        run = sp.simulate(body, room, motion, dimensions=dimensions)
+        assert run.peak_slide == pytest.approx(exact, rel=3e-3)
+        assert run.peak_tilt < 1e-5

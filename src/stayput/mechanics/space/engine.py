@@ -405,6 +405,7 @@ def run_in_space(
                     note_loads(held[0], held[1], last, scratch[6][4])
                     noted = True
                 part, why, b = stays_until(bodies, now, floor, a0, a1, gravity, t / dt, scratch[6])
+                bears = bears and part == 0.0  # what others help to bear at a sample they may not within it
                 if why != STAYS and part == 0.0:
                     bears, count, last = _rests(
                         world, held, poses, a0, a1, numbers, start, last, scratch, bears, work

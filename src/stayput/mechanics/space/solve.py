@@ -5,12 +5,11 @@ With the impulses p of the contacts the velocities after a step of length h are
     v⁺ = v + h g + Σ pᵢ/m,    L⁺ = L + Σ rᵢ × pᵢ,
 
 and each contact asks (Moreau 1988; Jean 1999) for u_n⁺ ≥ −e u_n⁻, p_n ≥ 0, one of them equal, and by
-Coulomb's law for |p_t| ≤ μ p_n, with p_t against u_t⁺ where it slips. The impulses are found contact by
-contact, again and again, each with the others as they are (projected Gauss–Seidel), from those of the step
-before, or from none after an impact. After a sweep Newton's method solves for all contacts at once, each as
-the sweep left it: open, sticking or slipping. Where that leads nowhere the augmented Lagrangian takes over. A
-body on more than three points has no unique impulses; its motion is unique without friction, and taken as
-found with it.
+Coulomb's law for |p_t| ≤ μ p_n, with p_t against u_t⁺ where it slips. A sweep changes the impulse of each
+contact as if those of the others stayed as they are (projected Jacobi), from those of the step before, or
+from none after an impact. After it Newton's method solves for all contacts at once, each as the sweep left
+it: open, sticking or slipping. Where that leads nowhere the augmented Lagrangian takes over. A body on more
+than three points has no unique impulses; its motion is unique without friction, and taken as found with it.
 
 A contact sticks by its static coefficient as long as it did before the step; where it slips in the solution
 its kinetic one takes over and all is solved again. In an impact (as in the plane) the coefficient is that of
@@ -271,8 +270,8 @@ def slide(contacts, count, poses, h):
 
 
 @inner
-def update(c, bodies, poses):
-    """Find a contact's impulse with the others as they are; return the largest change of its velocities."""
+def _propose(c, poses):
+    """Set the change of a contact's impulse with the others as they are; return that of its velocity."""
     un, us, ut = beyond_target(c, poses)
     pn = max(0.0, c.pn - un / c.wnn)
     ps = pt = 0.0
@@ -289,12 +288,25 @@ def update(c, bodies, poses):
             size = math.sqrt(ps * ps + pt * pt)
             if size > c.mu * pn:
                 ps, pt = ps * c.mu * pn / size, pt * c.mu * pn / size
-    dn, ds, dt = pn - c.pn, ps - c.ps, pt - c.pt
-    if dn == 0.0 and ds == 0.0 and dt == 0.0:
-        return 0.0
-    c.pn, c.ps, c.pt = pn, ps, pt
-    push(c, bodies, poses, dn, ds, dt)
-    return max(abs(dn) * c.wnn, max(abs(ds), abs(dt)) * c.stiff)
+    c.dn, c.ds, c.dt = pn - c.pn, ps - c.ps, pt - c.pt
+    return max(abs(c.dn) * c.wnn, max(abs(c.ds), abs(c.dt)) * c.stiff)
+
+
+@inner
+def _sweep(contacts, count, bodies, poses):
+    """Change the impulses of all contacts as each would alone; return the largest change of a velocity.
+
+    All at once: one by one, of two corners that land together the first might bear all, where friction allows
+    several solutions, and a box would turn in plan by what is symmetric.
+    """
+    change = 0.0
+    for k in range(count):
+        change = max(change, _propose(contacts[k], poses))
+    for c in contacts[:count]:
+        if c.dn != 0.0 or c.ds != 0.0 or c.dt != 0.0:
+            c.pn, c.ps, c.pt = c.pn + c.dn, c.ps + c.ds, c.pt + c.dt
+            push(c, bodies, poses, c.dn, c.ds, c.dt)
+    return change
 
 
 @inner
@@ -435,9 +447,7 @@ def _solve(contacts, count, held, bodies, poses, system, h, work):
         contacts[k].ln, contacts[k].ls, contacts[k].lt = contacts[k].pn, contacts[k].ps, contacts[k].pt
     for _ in range(MOST_SWEEPS):
         work[2] += 1.0 + count
-        change = 0.0
-        for k in range(count):
-            change = max(change, update(contacts[k], bodies, poses))
+        change = _sweep(contacts, count, bodies, poses)
         if change <= accuracy:
             if not _let_slip(contacts, count, poses, h):
                 return True
