@@ -18,8 +18,8 @@ import typer
 from typer.core import TyperGroup
 
 from stayput.catalogue import Language, Phrase, phrase, say
-from stayput.cli.interrupts import INTERRUPTED
 from stayput.cli import successors
+from stayput.cli.interrupts import INTERRUPTED
 from stayput.cli.streams import closed_output, is_stream, standard_input
 from stayput.errors import InputError, InputWarning, quoted, reason_of, warnings_to
 from stayput.progress import is_drawn, is_quiet, keep_quiet, language_of_bars, told_in
