@@ -109,15 +109,12 @@ def client_of(server: Running) -> httpx.Client:
     return httpx.Client(base_url=server.address, timeout=COMPILING, trust_env=False)
 
 
-def hold_verifications(patched: pytest.MonkeyPatch, least: int = 0) -> threading.Event:
-    """Keep verifications at their first simulation until the event is set, however fast the machine is.
-
-    Those of fewer options than ``least`` go on.
-    """
+def hold_verifications(patched: pytest.MonkeyPatch) -> threading.Event:
+    """Keep verifications at their first simulation until the event is set, however fast the machine is."""
     go_on, verify = threading.Event(), api.verify
 
     def held(scenario: Any, *, on_progress: Callable[[int, int], None], **more: Any) -> Any:
-        while len(scenario.options) >= least and not go_on.wait(0.01):
+        while not go_on.wait(0.01):
             on_progress(1, 1000)
         return verify(scenario, on_progress=on_progress, **more)
 

@@ -12,6 +12,7 @@ import pytest
 from serving import SCENE, Clock, Running, client_of, hold_verifications, running
 from test_api import finished
 
+from real_records import MOTIONS, recorded
 from stayput.app import motions
 from stayput.app.limits import Limits
 from stayput.app.motions import safe_label
@@ -249,3 +250,18 @@ def test_an_option_is_called_by_the_page_s_control_or_by_its_flag(client: httpx.
     assert "(“Take the mean off each component”)" in asked["message"]
     assert "（「各成分から平均を除く」）" in asked["message_ja"]
     assert asked["field"] == "remove_mean"
+
+
+@recorded
+def test_the_files_of_one_record_say_so_and_make_one_motion(client: httpx.Client) -> None:
+    names = (*(f"jma_kobe_1995_{axis}.AT2" for axis in ("ns", "ew", "ud")), "elcentro_1940_180.AT2")
+    ns, ew, up, other = (upload(client, (MOTIONS / name).read_bytes(), name).json() for name in names)
+    assert ns["record"] == ew["record"] == up["record"] != other["record"]
+    path, parts = f"/api/v1/motions/{ns['id']}", {"across": ew["id"], "vertical": up["id"]}
+    all_three = client.get(path, params=parts).json()
+    assert all_three["components"] == ["x", "y", "z"]
+    assert all_three["shaking"] == {**ns["shaking"], **parts}
+    assert all_three["intensity"] == pytest.approx(6.4, abs=0.1)  # as published
+    refused = client.get(path, params={"across": other["id"]})
+    assert refused.status_code == 422
+    assert "time steps" in refused.json()["message"] or "record" in refused.json()["message"]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from browsing import PHONE, opened
 
 import stayput as sp
+from real_records import MOTIONS, recorded
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -162,3 +163,31 @@ def test_the_unit_that_is_asked_for_starts_at_what_the_file_mentions(
         assert it.page.locator("#step").count() == 0  # there is a column of times
         _, answer = it.simulated(lambda: it.page.click("text=Send again"))
         assert abs(answer["motion"]["pga_m_s2"] - 3.0) < 1e-6
+
+
+@recorded
+def test_files_of_one_record_are_its_components_together_and_one_after_another(
+    browser: Browser, server: Running
+) -> None:
+    ns, ew, up = (MOTIONS / f"jma_kobe_1995_{axis}.AT2" for axis in ("ns", "ew", "ud"))
+    with opened(browser, server) as it:
+        asked, answer = it.simulated(lambda: it.page.set_input_files("#file", [up, ns, ew]))
+        shaking = asked["scene"]["shaking"]
+        assert len({shaking[key] for key in ("record", "across", "vertical")}) == 3
+        assert answer["engine"] == "space"
+        assert "Component across it: jma_kobe_1995_ns.AT2." in it.text("#uploaded")
+        assert "Vertical component: jma_kobe_1995_ud.AT2." in it.text("#uploaded")
+        assert "JMA intensity 6.4" in it.text("#uploaded")  # of all three
+        it.kept("acrossName=jma_kobe_1995_ns.AT2", "verticalName=jma_kobe_1995_ud.AT2")
+        it.page.reload()
+        it.settle()
+        assert "Component across it: jma_kobe_1995_ns.AT2." in it.text("#uploaded")
+        it.simulated(lambda: it.page.get_by_role("button", name="Without this record").click())
+        for file in (ns, ew, up):
+            asked, _ = it.simulated(lambda file=file: it.page.set_input_files("#file", file))
+        assert {"record", "across", "vertical"} <= asked["scene"]["shaking"].keys()
+        other = MOTIONS / "elcentro_1940_180.AT2"
+        asked, _ = it.simulated(lambda: it.page.set_input_files("#file", other))
+        assert not {"across", "vertical"} & asked["scene"]["shaking"].keys()  # another record
+        it.simulated(lambda: it.page.set_input_files("#file", [ns, up, other]))
+        assert "left out: jma_kobe" in it.text("#uploaded")

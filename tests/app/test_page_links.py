@@ -102,7 +102,7 @@ def test_a_vertical_record_that_does_not_fit_is_said_to_be_missing(
 ) -> None:
     with opened(browser, server, "#piece=chest", allowed=LOST) as it:
         sent(it, small_record(tmp_path))
-        take_vertical(it, small_vertical(tmp_path, 30.0))
+        take_vertical(it, small_vertical(tmp_path, 20.0))
         it.go("keep")
         assert "“up.csv” is too large for the link" in it.text("#link-record")
         address = it.page.input_value("#address")
@@ -111,7 +111,7 @@ def test_a_vertical_record_that_does_not_fit_is_said_to_be_missing(
     with opened(browser, server, address.removeprefix(f"{server.address}/"), allowed=LOST) as it:
         said = it.text("#notices")
         assert "“up.csv” is no longer on the server" in said
-        assert said.count("without a vertical component") == 1
+        assert said.count("without this component") == 1
         assert "my town.csv" in it.text("#uploaded")
         assert "Vertical component" not in it.text("#uploaded")
 

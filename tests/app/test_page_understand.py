@@ -44,15 +44,12 @@ def _ranked(answer) -> bool:
 
 @pytest.fixture(scope="module")
 def verified(browser: Browser, server: Running) -> Iterator[tuple[Opened, dict]]:
-    asked: list[bool] = []
+    asked: list[dict] = []
     with opened(browser, server, IN_PLANE, verify=True) as it:
         it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
-        it.page.on(
-            "request",
-            lambda one: one.url.endswith("/verify") and asked.append(one.post_data_json["compare_usual"]),
-        )
+        it.page.on("request", lambda one: one.url.endswith("/verify") and asked.append(one.post_data_json))
         verdict = finished(it)
-        assert asked == [False, True]  # the verdict that was asked for comes before the ranking
+        assert [each["curves"] for each in asked] == [True]  # one verification has all that is shown
         yield it, verdict
 
 
@@ -146,14 +143,14 @@ def test_a_measure_is_taken_from_the_ranking_and_the_new_verification_stopped(
     verified: tuple[Opened, dict], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     it, _ = verified
-    hold_verifications(monkeypatch, least=3)  # the new ranking, and not the verdict before it
+    hold_verifications(monkeypatch)
     row = it.page.locator("#ranking .option", has_text="Belts").first
     asked, _ = it.simulated(lambda: row.get_by_role("button").click())
     assert [one["type"] for one in asked["measures"]] == ["belt"]
     assert it.page.get_by_role("checkbox", name="Belts").is_checked()
     assert it.page.get_attribute("#understand", "data-old") == "true"
     assert it.page.get_attribute("#report", "href") is None
-    it.page.wait_for_selector("#understand[data-state=running][data-old=false]")
+    it.page.wait_for_selector("#understand[data-state=running]")
     it.wait("() => document.getElementById('progress').value > 0")
     with it.page.expect_request(lambda one: one.method == "DELETE" and "/jobs/" in one.url):
         it.page.click("#cancel")
@@ -161,15 +158,17 @@ def test_a_measure_is_taken_from_the_ranking_and_the_new_verification_stopped(
     assert it.page.locator("#verify").is_visible()
 
 
-def test_the_ranking_is_there_before_its_curves(
+def test_a_first_look_has_its_headline_and_its_ranking_of_the_same_runs(
     browser: Browser, server: Running, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     go_on, verify = threading.Event(), api.verify
+    looks: list[Verdict] = []
 
     def held(scenario: Scenario, *, on_verdict: Callable[[Verdict], None], **more: Any) -> Verdict:
         def told(known: Verdict) -> None:
+            looks.append(known)
             on_verdict(known)
-            assert len(scenario.options) < 3 or go_on.wait(COMPILING / 1000)
+            assert go_on.wait(COMPILING / 1000)
 
         return verify(scenario, on_verdict=told, **more)
 
@@ -179,6 +178,9 @@ def test_the_ranking_is_there_before_its_curves(
         assert "It may still change" in it.text("#ranking-rough")
         assert it.page.locator("#ranking .option").count() > 3
         assert it.page.get_attribute("#ranking", "data-old") == "false"
+        bare = looks[0].without.probabilities["overturned"].text
+        assert bare.split(" (")[0] in it.text("#verdict").replace("\xa0", " ")
+        assert bare.split(" (")[0] in it.text("#ranking").replace("\xa0", " ")
         assert it.page.get_attribute("#fragility", "data-old") == "true"
         assert it.page.get_attribute("#report", "href") is None
         go_on.set()

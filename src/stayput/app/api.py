@@ -321,10 +321,19 @@ def _add_motions(router: APIRouter, service: Service) -> None:
         return await service.workers.run(lambda: json_response(service.motions.about(stored), 201))
 
     @router.get("/motions/{name}", response_model=MotionReply, responses=problems(404, 422, 503))
-    async def about(name: messages.Name, component: ComponentQuery = None) -> Response:
-        """Return what is known of an uploaded motion."""
-        stored = await service.motions.with_component(name, component)
-        return await service.workers.run(lambda: json_response(service.motions.about(stored)))
+    async def about(
+        name: messages.Name,
+        component: ComponentQuery = None,
+        across: messages.FurtherName = None,
+        vertical: messages.FurtherName = None,
+    ) -> Response:
+        """Return what is known of an uploaded motion, with the components that other uploads hold."""
+        motions, stored = service.motions, await service.motions.with_component(name, component)
+
+        def work() -> Response:
+            return json_response(motions.about(motions.joined(stored, across=across, vertical=vertical)))
+
+        return await service.workers.run(work)
 
     @router.get("/motions/{name}/preview", response_model=PreviewReply, responses=problems(404, 422, 503))
     async def preview(name: messages.Name, component: ComponentQuery = None) -> Response:

@@ -13,7 +13,7 @@ from contextlib import contextmanager
 from functools import cache
 from typing import Annotated, Any, Self
 
-from fastapi import FastAPI, UploadFile
+from fastapi import FastAPI, Query, UploadFile
 from fastapi import Path as InPath
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, WithJsonSchema
 from starlette.exceptions import HTTPException
@@ -48,6 +48,8 @@ ID = "[0-9a-f]{32}(?:_floor_[0-9]+|_roof|_upper_floor)?"
 """Pattern of an uploaded motion's id, its file's name here, with the upper floor that the user's tells."""
 
 Name = Annotated[str, InPath(pattern=f"^{ID}$", description="An id that this server gave.")]
+
+FurtherName = Annotated[str | None, Query(pattern=f"^{ID}$", description="An upload of the same record.")]
 
 Measures = Annotated[
     list[MeasureData], Field(default_factory=list, max_length=8, description="In place together.")

@@ -27,14 +27,15 @@ from pydantic import Field
 from stayput.app.jobs import CLIENT, Client, Workers, first_to_go
 from stayput.app.messages import ID, Problem, RefusedError, Reply, Upload, problem, refused
 from stayput.app.reader import ReadingResult, ReadingTask
-from stayput.errors import InputError, InputWarning
+from stayput.errors import InputError, InputWarning, warnings_to
 from stayput.motion.floors import upper_floor
 from stayput.motion.intensity import EXCEEDED, intensity_class
+from stayput.motion.record import Motion
+from stayput.motion.suites.suite import record_key
 from stayput.report.summary import number
 
 if TYPE_CHECKING:
     from stayput.app.limits import Limits
-    from stayput.motion.record import Motion
 
 MOST_INTERVALS = 1000
 """Most intervals of a preview, each with its lowest and highest value."""
@@ -157,6 +158,7 @@ class MotionReply(Reply):
     samples: int
     components: list[str]
     channels: list[ChannelReply]
+    record: str | None = Field(description="Of a file of one channel: the same in all files of its record.")
     pga_m_s2: float
     pgv_m_s: float
     intensity: float | None
@@ -266,6 +268,34 @@ class Motions:
         known = tuple(warning.rewritten(rewrite) for warning in warnings)
         return StoredMotion(motion, shaking, size, known)
 
+    def joined(self, stored: StoredMotion, **files: str | None) -> StoredMotion:
+        """Return a motion with the components that files of their own hold.
+
+        Parameters
+        ----------
+        stored : StoredMotion
+            The motion.
+        **files : str
+            Names of the motions whose x is ``across`` and ``vertical``.
+
+        Raises
+        ------
+        RefusedError
+            There is none of these names, or they are not of one record.
+        """
+        others = {key: name for key, name in files.items() if name is not None}
+        if not others:
+            return stored
+        motion, warnings = stored.motion, [*stored.warnings]
+        parts = {axis: motion.component(axis) for axis in motion.components if axis != "x"}
+        parts |= {"y" if key == "across" else "z": self._get(name).motion for key, name in others.items()}
+        try:
+            with warnings_to(warnings.append):
+                whole = Motion.combine(motion, parts.get("y"), parts.get("z"))
+        except InputError as error:
+            raise RefusedError(422, error.about("file")) from None
+        return replace(stored, motion=whole, shaking={**stored.shaking, **others}, warnings=tuple(warnings))
+
     def about(self, stored: StoredMotion) -> MotionReply:
         """Return the facts about a motion."""
         motion = stored.motion
@@ -276,6 +306,7 @@ class Motions:
             samples=len(motion),
             components=list(motion.components),
             channels=_channels(motion),
+            record=_record_of(motion),
             intensity=intensity,
             intensity_class=None if motion.floor else class_of(intensity),
             expires_in_s=max(0.0, self._limits.keep - (time.monotonic() - stored.last_used)),
@@ -356,6 +387,13 @@ class Motions:
     def _drop(self, name: str) -> None:
         del self._stored[name]
         (self.folder / name).unlink(missing_ok=True)
+
+
+def _record_of(motion: Motion) -> str | None:
+    listing = motion.listing
+    if listing is None or len(listing.names) > 1:
+        return None
+    return record_key(motion.name, listing.origin, listing.labels["x"])
 
 
 def _channels(motion: Motion) -> list[ChannelReply]:

@@ -25,7 +25,7 @@ from stayput.scenario.measures import YOURS, table_of
 from stayput.verification.compare import LEVELS
 from stayput.verification.contents import runs_of_contents
 from stayput.verification.events import CELL
-from stayput.verification.notes import everyday_note, shaken_notes
+from stayput.verification.notes import everyday_note, left_out_of_held, shaken_notes
 from stayput.verification.options import compared_options, usual, weakest
 from stayput.verification.room_words import tags
 from stayput.verification.words import asides
@@ -136,6 +136,7 @@ class VerdictReply(PartReply):
 
     complete: bool = Field(description="Whether it is final; else samples or curves are still to come.")
     verdict: Words
+    left_out: Words | None = Field(description="What the numbers leave out of the shaking.")
     notes: list[Words] = Field(description="What must be said beside the numbers.")
     grades: dict[str, Words] = Field(description="What each grade of inputs means.")
     jma_intensity: float | None
@@ -261,10 +262,12 @@ def verdict_reply(verdict: Verdict) -> VerdictReply:
             _extend_room(option, result, verdict)
     if scenario.alone:
         data["estimates"]["rows"] = _estimates(verdict)
+    left_out = left_out_of_held(verdict)
     return VerdictReply.model_validate(
         {
             **data,
             "complete": verdict.complete,
+            "left_out": None if left_out is None else Words.of(left_out),
             "notes": [by_language(note) for note in shaken_notes(verdict, _looked_at(verdict).option)],
             "everyday": everyday_reply(verdict) if scenario.alone else None,
             "cell_m": None if scenario.plan is None else CELL,

@@ -51,5 +51,8 @@ TEXTS: dict[str, tuple[str, str]] = {
                          "“{record}”?"),
                         "「{name}」は上下動だけの記録です。「{record}」の上下動として使いますか。"),
     "takeVertical": ("Take it as vertical", "上下動として使う"),
+    "withAcross": ("Component across it: {name}.", "直交する水平成分：{name}。"),
+    "otherRecords": ("Not of the record in use, and left out: {names}.",
+                     "使用中の記録のものではないため、使いません：{names}。"),
     "withVertical": ("Vertical component: {name}.", "上下動：{name}。"),
 }

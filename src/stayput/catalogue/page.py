@@ -367,8 +367,8 @@ TEXTS: dict[str, tuple[str, str]] = {
                     "still has it: send the file too."),
                    ("記録「{name}」は大きいため、リンクには入りません。リンクで表示できるのは、"
                     "このサーバーに記録が残っている間だけです。記録のファイルも一緒に渡してください。")),
-    "withoutVertical": ("What you see is the horizontal record alone, without a vertical component.",
-                        "今の図は、上下成分を除いた水平方向の記録だけによるものです。"),
+    "withoutFurther": ("What you see is the record without this component.",
+                       "今の図は、この成分を除いた記録によるものです。"),
     "linkLong": (("This file is too large for a link, and for the page to show it again when it is loaded "
                   "anew: keep the file itself."),
                  ("このファイルは大きいため、リンクにはできません。ページを読み込み直したときも、"

@@ -55,8 +55,9 @@ export const runAsCsv = async (content, which) =>
   (await ask(`simulate/csv?which=${which}`, sent(content))).text();
 export const film = (content, query) => blob("simulate/film", query, content);
 export const readScenario = (toml, name) => json("scenario/read", sent({ toml, name }));
-const chosen = (component) => (component ? `?component=${encodeURIComponent(component)}` : "");
-export const motion = (id, component) => json(`motions/${id}${chosen(component)}`);
+const chosen = (component, further = {}) =>
+  new URLSearchParams({ ...(component && { component }), ...further }).toString().replace(/^(?=.)/, "?");
+export const motion = (id, component, further) => json(`motions/${id}${chosen(component, further)}`);
 export const motionPreview = (id, component) => json(`motions/${id}/preview${chosen(component)}`);
 
 /** Sends a record; unit, time step dt [s] and the component only where its file does not say them. */

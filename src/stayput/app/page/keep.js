@@ -4,7 +4,7 @@ import * as api from "./api.js";
 import { copying, fill, offer, part } from "./dom.js";
 import { SECONDS, isDrawn, linkTo, pressed, shortKind, showLink, wireFilm } from "./films.js";
 import * as pieces from "./pieces.js";
-import { current, sampled } from "./scene.js";
+import { FURTHER, current, sampled } from "./scene.js";
 import { t } from "./words.js";
 
 let held = false, // whether there is a run with measures
@@ -61,7 +61,7 @@ export function point(done) {
 /** Shows the address of the scene, what is too long for one, and whether there is a run with measures. */
 export function update(measured) {
   const { record } = current(),
-    alone = pieces.asked() ? null : [record, record?.vertical].find((one) => one && !one.letters);
+    alone = pieces.asked() ? null : [record, ...FURTHER.map((part) => record?.[part])].find((one) => one && !one.letters);
   showLink(pieces.tooLong(), alone?.name ?? null);
   held = measured && !pieces.asked();
   for (const what of ["csv", "html", "film"]) part(`${what}-with`).disabled = shut(part(`${what}-with`));

@@ -1,7 +1,7 @@
 // The scene in the page's address, so that a link shows it again.
 
 import { fromText, written } from "./earthquake.js";
-import { clamp, limitsOf, plain, wordsOf } from "./scene.js";
+import { FURTHER, clamp, limitsOf, plain, wordsOf } from "./scene.js";
 
 const round = (value) => String(Number(value.toPrecision(6)));
 /** The keys of a scene whose values are of a type. */
@@ -16,8 +16,8 @@ const SAID = ["component", "unit", "dt", "remove_mean"];
 /** What a link says of a record: its id and name, what was said of it when it was sent, and itself where it is small. */
 const RECORD = ["record", "name", ...SAID, "wave"];
 
-/** The same of its vertical component. */
-const VERTICAL = ["vertical", "verticalName", ...SAID.map((key) => `vertical_${key}`), "verticalWave"];
+/** The same of a further component of it, of a file of its own. */
+const further = (part) => [part, `${part}Name`, ...SAID.map((key) => `${part}_${key}`), `${part}Wave`];
 
 function setRecord(pairs, keys, { id, name, shaking, letters }) {
   const values = [id, name, ...SAID.map((key) => shaking[key]), letters];
@@ -40,7 +40,7 @@ export function toHash(scene, file = null) {
   if (scene.entry) pairs.set("entry", written(scene.entry));
   if (scene.shelves) pairs.set("shelves", scene.shelves.map(round).join(","));
   if (scene.record) setRecord(pairs, RECORD, scene.record);
-  if (scene.record?.vertical) setRecord(pairs, VERTICAL, scene.record.vertical);
+  for (const part of FURTHER) if (scene.record?.[part]) setRecord(pairs, further(part), scene.record[part]);
   const measures = Object.entries(scene.measures).map(([type, settings]) =>
     [type, ...Object.entries(settings).map(([name, value]) => `${name}:${value}`)].join(";"),
   );
@@ -115,7 +115,7 @@ export function fromHash(hash, presets, start) {
   const [file, several] = ["file", "pieces"].map((key) => pairs.get(key));
   return {
     scene,
-    record: record && { ...record, vertical: recordIn(pairs, VERTICAL) },
+    record: record && { ...record, ...Object.fromEntries(FURTHER.map((part) => [part, recordIn(pairs, further(part))])) },
     file: several ? { name: file ?? "", letters: several } : null,
   };
 }

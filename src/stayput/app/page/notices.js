@@ -21,8 +21,8 @@ export const ceilingTooLow = (scene) =>
     : t("ceilingTooLow", { ceiling: length(scene.ceiling), height: length(scene.height) });
 
 /** Why what a link names is not shown: a record that the server has no more, or a file of several pieces. */
-function whyGone({ name, vertical, file, error }) {
-  if (vertical) return [t("recordGone", { name: t("recordName", { name }) }), t("space"), t("withoutVertical")];
+function whyGone({ name, further, file, error }) {
+  if (further) return [t("recordGone", { name: t("recordName", { name }) }), t("space"), t("withoutFurther")];
   if (!file)
     return [t("recordGone", { name: name ? t("recordName", { name }) : "" }), t("space"), t("recordReplaced")];
   return error ? [`${file}${t("colon")}`, ...wordedOfScenario(error)] : [t("linkDamaged", { name: file })];

@@ -15,7 +15,7 @@ const BY_STATUS = {
 };
 
 /** Whether an error says that the server no longer has the record of the scene. */
-export const lacksRecord = (error) => ["scene.shaking.record", "scene.shaking.vertical"].includes(error.field);
+export const lacksRecord = (error) => /^scene\.shaking\.(record|across|vertical)$/.test(error.field);
 
 /** What is wrong with a scenario file, as `worded`; a record is not beside it as on the reader's disk. */
 export const wordedOfScenario = (error) =>

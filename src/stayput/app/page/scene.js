@@ -159,6 +159,16 @@ export function balance({ mass, height, shelves, centre }) {
 /** Whether the motion goes through a building: one that was measured on a floor does not. */
 export const throughBuilding = (s) => s.storeys > 0 && !(s.record && s.onFloor);
 
+/** Components of a record that files of their own hold, by their names in a scene. */
+export const FURTHER = ["across", "vertical"];
+
+/** The ids of the files that hold further components of a record. */
+export const furtherOf = (record) =>
+  Object.fromEntries(FURTHER.filter((part) => record[part]).map((part) => [part, record[part].id]));
+
+/** A record as the shaking of a scene names it. */
+export const shakingOf = (record) => ({ ...record.shaking, ...furtherOf(record) });
+
 /** The scene as the server's simulations read it. */
 export function forServer(s) {
   const furniture = { preset: s.piece, width: s.width, height: s.height, length: s.length, mass: s.mass };
@@ -168,8 +178,7 @@ export function forServer(s) {
   const room = { floor: s.floor };
   if (s.wall) room.left_wall = { gap: s.gap, construction: s.wallConstruction };
   if (s.ceiling > s.height) room.ceiling = { height: s.ceiling, construction: s.ceilingConstruction };
-  const shaking = s.record ? { ...s.record.shaking } : { suite: { family: s.family }, member: s.member };
-  if (s.record?.vertical) shaking.vertical = s.record.vertical.id;
+  const shaking = s.record ? shakingOf(s.record) : { suite: { family: s.family }, member: s.member };
   if (!s.record || s.scaled) Object.assign(shaking, s.entry ?? { intensity: s.intensity });
   if (throughBuilding(s))
     Object.assign(shaking, { building: { storeys: s.storeys, structure: s.structure }, storey: s.storey });

@@ -18,15 +18,13 @@ import { number, perCent, t } from "./words.js";
 const SETTLED = 900,
   SOON = 150,
   MARGINS = ["everyday", "everyday-cases"],
-  FIRST = [...MARGINS, "estimates"],
-  REST = ["ranking", "fragility"];
+  PARTS = [...MARGINS, "estimates", "ranking"];
 const jobs = line(),
   curving = line();
 let question = null,
   curved = null, // a verdict with curves, where they were asked for by themselves
   problem = null,
-  result = null,
-  base = null,
+  result = null, // the verdict that is shown: its headline and its ranking are of the same runs
   asking = null,
   round = 0;
 
@@ -48,7 +46,7 @@ export function build(request) {
     if (event.persisted) soon(); // its jobs ended when it was left
   });
   const charts = settled(120, () => {
-    if (result) showCurves();
+    if (result?.complete) showCurves();
   });
   for (const name of ["resize", "shown"]) addEventListener(name, charts);
 }
@@ -57,8 +55,7 @@ export function build(request) {
 export function outdated() {
   part("understand").dataset.old = "true";
   part("ranking-rough").hidden = true;
-  date([...FIRST, ...REST], true);
-  base = null;
+  date([...PARTS, "fragility"], true);
   stop();
   keep.point(null);
   state("waiting");
@@ -83,8 +80,8 @@ const margins = settled(SOON, async () => {
     const { scene } = question(),
       said = await patiently(() => api.everyday(part("understand").dataset.job, scene, own.signal), wanted);
     if (!said || !wanted()) return;
-    base.everyday = result.everyday = said;
-    everyday.show(base);
+    result.everyday = said;
+    everyday.show(result);
     date(MARGINS, false);
   } catch (error) {
     if (error.name !== "AbortError" && wanted()) outdated(); // the server has forgotten the job
@@ -103,7 +100,7 @@ function stop() {
 
 const samples = () => Number(part("samples").value);
 
-/** First the chances of what is looked at, then what helps. */
+/** Asks for the verdict; what is known of it is shown as it gets better. */
 async function work() {
   stop();
   const mine = round,
@@ -112,30 +109,20 @@ async function work() {
     state("pieces");
     return;
   }
-  const content = { scene: sampled(scene, samples()), measures };
+  const content = { scene: sampled(scene, samples()), measures, curves: scene.dimensions === 2 };
   state("running");
   progress(0);
   try {
-    const first = await jobs.run({ ...content, compare_usual: false, curves: false }, () => {});
-    if (!first || mine !== round) return;
-    part("understand").dataset.old = "false";
-    date(FIRST, false);
-    base = first.result;
-    displayBase();
-    const all = { ...content, compare_usual: true, curves: base.engine === "plane" };
-    const job = await jobs.run(all, (running) => {
+    const job = await jobs.run(content, (running) => {
       progress(running.progress);
-      if (running.result && mine === round) early(running.result);
+      if (running.result && mine === round) look(running.result);
     });
     if (!job || mine !== round) return;
-    result = job.result;
-    part("ranking-rough").hidden = true;
     curved = null;
     part("understand").dataset.job = job.id;
     state("done");
     keep.point(job.id);
-    date(["ranking", "fragility"], false);
-    display();
+    look(job.result);
   } catch (error) {
     if (mine !== round) return;
     problem = error;
@@ -143,12 +130,15 @@ async function work() {
   }
 }
 
-/** Shows the ranking before its curves are there, marked as what may still change. */
-function early(known) {
-  part("ranking-rough").hidden = false;
+/** Shows a verdict; one that is not complete yet is marked as what may still change. */
+function look(known) {
+  result = known;
+  part("understand").dataset.old = "false";
+  date(PARTS, false);
+  date(["fragility"], !known.complete);
+  part("ranking-rough").hidden = known.complete;
   part("ranking-rough").textContent = t("rankingRough", { runs: number(known.motions * known.samples) });
-  ranking.show(known, takeMeasures);
-  date(["ranking"], false);
+  display();
 }
 
 const showCurves = () => fragility.show(curved ?? result, askCurves);
@@ -173,22 +163,17 @@ async function askCurves() {
 const takeMeasures = (chosen) =>
   change({ measures: Object.fromEntries(chosen.map(({ type, ...values }) => [type, values])) });
 
-function displayBase() {
-  verdict.show(base);
-  everyday.show(base);
-  estimates.show(base);
-}
-
 function display() {
   verdict.show(result);
-  showCurves();
+  everyday.show(result);
+  estimates.show(result);
   ranking.show(result, takeMeasures);
+  if (result.complete) showCurves();
 }
 
 /** Writes the words again, for another language. */
 export function again() {
   if (result) display();
-  if (base) displayBase();
   state(part("understand").dataset.state);
   if (part("understand").dataset.state === "done") keep.point(part("understand").dataset.job);
 }

@@ -7,11 +7,11 @@ import { inNumbers, picture } from "./record.js";
 import { patiently } from "./connection.js";
 import { packed, unpackedBytes } from "./packing.js";
 import { worded } from "./refusals.js";
-import { change, current } from "./scene.js";
+import { FURTHER, change, current, furtherOf } from "./scene.js";
 import { spoken, t } from "./words.js";
 
 const UNITS = ["m/s²", "cm/s²", "gal", "mm/s²", "g", "%g", "mg", "in/s²", "ft/s²"];
-const LONGEST = 4096; // letters of a record in a link, with those of its vertical component
+const LONGEST = 4096; // letters of a record in a link, with those of its further components
 const sent = new Map(); // the ids of the records in links that were sent to the server again, by their letters
 let waiting = null,
   preview = null,
@@ -22,18 +22,19 @@ let waiting = null,
 /** Whether a dropped file is a scenario, by its name. */
 const isScenario = ({ name }) => /\.toml$/i.test(name);
 
-/** Wires the file field and the place to drop a file on; "takeScenario" is called with a scenario file. */
+/** Wires the file field and the place to drop files on; "takeScenario" is called with a scenario file. */
 export function wire(takeScenario) {
   const drop = part("drop"),
     field = part("file");
-  const take = (file) => {
-    if (!file) return;
+  const take = (files) => {
+    if (!files.length) return;
     waiting?.abort();
-    if (isScenario(file)) takeScenario(file);
-    else send(file, {});
+    const scenario = files.find(isScenario);
+    if (scenario) takeScenario(scenario);
+    else send(files);
   };
   field.addEventListener("change", () => {
-    take(field.files[0]);
+    take([...field.files]);
     field.value = "";
   });
   for (const name of ["dragenter", "dragover"])
@@ -44,26 +45,60 @@ export function wire(takeScenario) {
   for (const name of ["dragleave", "drop"]) drop.addEventListener(name, () => drop.classList.remove("over"));
   drop.addEventListener("drop", (event) => {
     event.preventDefault();
-    take(event.dataTransfer.files[0]);
+    take([...event.dataTransfer.files]);
   });
   for (const name of ["dragover", "drop"]) addEventListener(name, (event) => event.preventDefault());
 }
 
-async function send(file, said) {
+/** Sends files to the server, and takes those of one record together: the first horizontal one shakes the piece. */
+async function send(files, said = {}) {
   waiting?.abort();
   waiting = new AbortController();
   tell(() => [el("p", { role: "status", text: t("sending") })]);
+  const sent = [];
+  let file;
   try {
-    const motion = await api.upload(file, said, waiting.signal);
-    const letters = await lettersOf(file);
-    latest = { id: motion.id, file, said };
-    trouble = null;
-    if (vertical(motion)) tell(() => offering(motion, file));
-    else use(motion, letters);
+    for (file of files.toSorted((one, other) => (one.name < other.name ? -1 : 1)))
+      sent.push({ file, motion: await api.upload(file, said, waiting.signal) });
+    sent.sort((one, other) => vertical(one.motion) - vertical(other.motion));
+    const [{ motion }] = sent;
+    latest = { id: motion.id, file: sent[0].file, said };
+    if (vertical(motion) && !ofRecord(current().record, motion)) tell(() => offering(motion, sent[0].file));
+    else await take(sent);
   } catch (error) {
     if (error.name === "AbortError") return;
     tell(() => [refusal(worded(error, "unreadable")), still(current()), asking(file, said, error)]);
   }
+}
+
+/** Takes files that were sent: into the record in use where they are of it, else the first as a record, with those that are of it. */
+async function take(sent) {
+  const { record } = current(),
+    goesOn = sent.every(({ motion }) => FURTHER.includes(ofRecord(record, motion))),
+    begun = goesOn ? record : whole(sent[0].motion, await lettersOf(sent[0].file)),
+    further = {},
+    others = [];
+  for (const { motion, file } of goesOn ? sent : sent.slice(1)) {
+    const part = ofRecord(begun, motion);
+    if (FURTHER.includes(part)) further[part] = await component(motion, file, { ...begun, ...further });
+    else others.push(motion.name);
+  }
+  trouble = null;
+  await use({ ...begun, ...further, others }, goesOn ? {} : undefined);
+}
+
+/** Which component of a record a file holds, "x" being that which shakes the piece; null where they do not say that they are of one. */
+function ofRecord(record, motion) {
+  if (!motion.record || motion.record !== record?.motion.record) return null;
+  if (vertical(motion)) return "vertical";
+  return motion.channels[0].name === record.motion.channels[0].name ? "x" : "across";
+}
+
+/** A further component of a record, with what a link has place for beside the others of it. */
+async function component(motion, file, beside) {
+  const others = [beside, ...FURTHER.map((part) => beside[part])].filter(Boolean),
+    room = others.reduce((left, { letters }) => left - (letters?.length ?? LONGEST), LONGEST);
+  return whole(motion, room > 0 ? await lettersOf(file, room) : null);
 }
 
 /** Shows something in the place of the record, until the scene changes with a record in it. */
@@ -103,7 +138,7 @@ function asking(file, said, { field, perhaps, also }) {
     "div",
     { class: "row" },
     ...fields.flatMap(([name, one]) => [el("label", { for: one.id, text: t(`file_${name}`) }), one]),
-    el("button", { type: "button", text: t("sendAgain"), onclick: () => send(file, { ...said, ...values() }) }),
+    el("button", { type: "button", text: t("sendAgain"), onclick: () => send([file], { ...said, ...values() }) }),
   );
 }
 
@@ -118,8 +153,12 @@ async function lettersOf(file, most = LONGEST) {
 }
 
 /** The server has the record of a scene no more: it is sent again where the link holds it, else said to be gone. */
-export const takeAgain = ({ record: { vertical: up, ...record }, ...scene }) =>
-  takeLinked({ ...linkedOf(record), vertical: up && linkedOf(up) }, scene);
+export const takeAgain = ({ record, ...scene }) =>
+  takeLinked({ ...linkedOf(record), ...ofFurther(record, linkedOf) }, scene);
+
+/** Something of each further component that a record has, by its name. */
+const ofFurther = (record, made) =>
+  Object.fromEntries(FURTHER.filter((part) => record[part]).map((part) => [part, made(record[part])]));
 
 /** A record as a link has it. */
 const linkedOf = ({ id, name, shaking: { component, unit, dt, remove_mean }, letters }) => ({
@@ -145,18 +184,24 @@ export async function takeLinked(linked, { scaled, onFloor }) {
 /** Whether a record of a link is neither on the server nor in the link. */
 const isLost = (error, { letters }) => error instanceof api.Refused || Boolean(letters);
 
-/** Takes the record of a link into the scene, with its vertical component or, where that is gone, with a notice; see `motionOf`. */
-async function useLinked({ vertical: up, ...linked }) {
-  const record = await motionOf(linked);
-  const above = up && (await motionOf(up).catch((error) => {
-    if (!isLost(error, up)) throw error;
-  }));
-  await use(record, linked.letters, above ? upright(above, up.name, up.letters) : null);
-  if (up && !above) change({ gone: { name: up.name, vertical: true } });
+/** Takes the record of a link into the scene, with its further components or, where one is gone, with a notice; see `motionOf`. */
+async function useLinked(linked) {
+  const record = whole(await motionOf(linked), linked.letters);
+  let gone = null;
+  for (const part of FURTHER.filter((one) => linked[one])) {
+    const one = linked[part],
+      known = await motionOf(one).catch((error) => {
+        if (!isLost(error, one)) throw error;
+      });
+    if (known) record[part] = whole(known, one.letters);
+    else gone = { name: one.name, further: true };
+  }
+  await use(record);
+  if (gone) change({ gone });
 }
 
-/** The vertical component of a record, as the scene has it. */
-export const upright = ({ id, shaking }, name, letters) => ({ id, name, shaking, letters });
+/** A motion on the server as the scene has it, as a record or as a further component; "letters" are what a link holds of it. */
+export const whole = (motion, letters) => ({ id: motion.id, name: motion.name, shaking: motion.shaking, motion, letters });
 
 /** The record of a link as the server knows it; one that it has no more is sent again, if the link holds it. */
 export async function motionOf({ id, name, said, letters }) {
@@ -179,22 +224,24 @@ function offering(motion, file) {
   const { record } = current(),
     name = motion.name;
   if (!record) return [refusal([t("verticalAlone", { name })])];
-  const taken = async () => {
-    const letters = record.letters && (await lettersOf(file, LONGEST - record.letters.length));
+  const onclick = async () => {
+    const above = await component(motion, file, record);
     trouble = null;
-    change({ record: { ...current().record, vertical: upright(motion, name, letters) } });
+    await use({ ...current().record, vertical: above }, {}).catch((error) => tell(() => [refusal(worded(error))]));
   };
   return [
     el("p", { role: "status", text: t("verticalOffered", { name, record: record.name }) }),
-    el("button", { type: "button", text: t("takeVertical"), onclick: taken }),
+    el("button", { type: "button", text: t("takeVertical"), onclick }),
   ];
 }
 
-/** Takes a record that is on the server into the scene, as it is; "letters" are what a link holds of it, "up" is its vertical component. */
-async function use(motion, letters, up = null, also = { scaled: false, onFloor: Boolean(motion.floor) }) {
+/** Takes a record that is on the server into the scene, as it is, with its further components. */
+async function use(record, also = { scaled: false, onFloor: Boolean(record.motion.floor) }) {
+  const { id, shaking } = record,
+    further = furtherOf(record);
+  const motion = Object.keys(further).length ? await api.motion(id, shaking.component, further) : record.motion;
   preview = null;
-  const { id, name, shaking } = motion;
-  change({ record: { id, name, shaking, motion, letters, vertical: up }, gone: null, ...also });
+  change({ record: { ...record, motion }, gone: null, ...also });
   preview = await api.motionPreview(id, shaking.component).catch(() => null);
   update();
 }
@@ -204,7 +251,7 @@ async function turn(component) {
   const { record } = current();
   try {
     const motion = await api.motion(record.id, component);
-    if (current().record?.id === motion.id) await use(motion, record.letters, current().record.vertical, {});
+    if (current().record?.id === motion.id) await use({ ...record, motion, shaking: motion.shaking }, {});
   } catch (error) {
     tell(() => [refusal(worded(error, "unreadable"))]);
   }
@@ -229,10 +276,11 @@ function channels({ channels: all = [] }) {
   return field.element;
 }
 
-/** The vertical component that acts: of a file of its own, or beside the horizontal ones of the record's. */
-function verticalOf({ vertical: up, motion: { channels: all = [], components } }) {
-  const name = up?.name ?? (components.includes("z") ? all.find((one) => one.vertical)?.name : null);
-  return name ? el("p", { text: t("withVertical", { name }) }) : [];
+/** The further components that act: of files of their own, or a vertical one in the record's. */
+function furtherComponents({ across, vertical: up, motion: { channels: all = [], components } }) {
+  const above = up?.name ?? (components.includes("z") ? all.find((one) => one.vertical)?.name : null);
+  const names = Object.entries({ withAcross: across?.name, withVertical: above });
+  return names.filter(([, name]) => name).map(([key, name]) => el("p", { text: t(key, { name }) }));
 }
 
 /** What the server has to say of the record, with a button that sends it again less its mean where that would help. */
@@ -243,7 +291,7 @@ const warnings = ({ id, warnings: all }) =>
   ]);
 
 const lessItsMean = () => {
-  const onclick = () => send(latest.file, { ...latest.said, remove_mean: "true" });
+  const onclick = () => send([latest.file], { ...latest.said, remove_mean: "true" });
   return el("button", { type: "button", text: t("file_remove_mean"), onclick });
 };
 
@@ -278,7 +326,8 @@ function about(record) {
   return [
     el("p", {}, el("strong", { text: record.name }), ` ${inNumbers(motion)}`),
     channels(motion) ?? [],
-    verticalOf(record),
+    furtherComponents(record),
+    record.others?.length ? refusal([t("otherRecords", { names: record.others.join(t("listed")) })]) : [],
     measured(),
     ...warnings(motion),
     preview ? picture(preview) : [],

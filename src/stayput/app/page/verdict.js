@@ -23,7 +23,11 @@ export function show(verdict) {
       measures: within(one.label),
     });
   });
-  fill(part("verdict"), ...texts.map((text, i) => el("span", { class: "sentence", text }, grade(pair[i]))));
+  fill(
+    part("verdict"),
+    ...texts.map((text, i) => el("span", { class: "sentence", text }, grade(pair[i]))),
+    verdict.left_out ? el("span", { class: "sentence", text: both(verdict.left_out) }) : [],
+  );
   fill(
     part("tens"),
     ...pair.map((one, i) => tens(one.probabilities.overturned, t(i === 0 ? "without" : "with"))).filter(Boolean),

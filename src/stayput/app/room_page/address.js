@@ -3,6 +3,7 @@
 import { settled } from "../dom.js";
 import { tab } from "../memory.js";
 import { packed, unpacked } from "../packing.js";
+import { FURTHER } from "../scene.js";
 import * as environment from "./environment.js";
 import * as room from "./room.js";
 import { legible } from "./tried.js";
@@ -10,10 +11,10 @@ import { legible } from "./tried.js";
 const LONGEST = 8000, // letters of a room in a link: longer ones are cut by much that links are sent with
   PAUSE = 1500, // what follows a change sooner has no place of its own in the browser's history [ms]
   HERE = "room", // the room that this tab had last
-  KEYS = [
-    ["name", "wave"],
-    ["verticalName", "verticalWave"],
-  ]; // of the records in a link: that along the floor, and its vertical component
+  KEYS = {
+    record: ["name", "wave"],
+    ...Object.fromEntries(FURTHER.map((part) => [part, [`${part}Name`, `${part}Wave`]])),
+  }; // of the record in a link, and of its further components
 let told = () => {},
   writing = null, // the room that is in the address, or on its way there
   at = -Infinity;
@@ -56,9 +57,9 @@ const write = settled(250, async () => {
 function heldOf(records, place) {
   let held = "",
     missing = null;
-  records.forEach(({ name, letters }, at) => {
+  records.forEach(({ key, name, letters }) => {
     place -= letters?.length ?? Infinity;
-    const [called, wave] = KEYS[at];
+    const [called, wave] = KEYS[key];
     if (place >= 0) held += `&${new URLSearchParams({ [called]: name, [wave]: letters })}`;
     else missing ??= name;
   });
@@ -69,8 +70,9 @@ function heldOf(records, place) {
 export async function read(hash) {
   const pairs = new URLSearchParams(hash.replace(/^#/, "")),
     letters = pairs.get("room"),
-    records = KEYS.map(([name, wave]) =>
-      pairs.has(wave) ? { name: pairs.get(name) ?? "", letters: pairs.get(wave) } : null,
+    linked = Object.entries(KEYS).filter(([, [, wave]]) => pairs.has(wave)),
+    records = Object.fromEntries(
+      linked.map(([key, [name, wave]]) => [key, { name: pairs.get(name) ?? "", letters: pairs.get(wave) }]),
     );
   if (!letters) return { room: parsed(tab.recalled(HERE)), damaged: false, records };
   const text = await unpacked(letters).catch(() => null),

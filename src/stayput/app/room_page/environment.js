@@ -7,7 +7,8 @@ import * as upload from "../upload.js";
 import * as room from "./room.js";
 
 const READING = ["component", "unit", "dt", "columns", "skip_lines", "decimal_comma", "location", "remove_mean"],
-  MOTIONS = ["record", ...READING, "vertical", "sine", "builtin", "suite", "member"],
+  FILES = ["record", ...fields.FURTHER],
+  MOTIONS = [...FILES, ...READING, "sine", "builtin", "suite", "member"],
   WAYS = ["pga", "pgv", "sa", "mmi", "earthquake"],
   STRENGTHS = ["intensity", "scale", ...WAYS];
 let presets = null,
@@ -48,46 +49,53 @@ function put(part) {
 /** The record in the fields, where it is the room's. */
 const kept = (id) => (fields.current().record?.id === id ? fields.current().record : null);
 
-/** The ids of a room's record and of its vertical component, as far as it has them. */
-const recordsIn = ({ record, vertical } = {}) => [record, vertical].filter((id) => typeof id === "string");
+/** The ids of a room's record and of its further components by their names, as far as files hold them. */
+const recordsIn = (shaking = {}) =>
+  Object.fromEntries(FILES.map((key) => [key, shaking[key]]).filter(([, id]) => typeof id === "string"));
 
 /** Notes what a link holds of a room's records: {name, letters} of each. */
 export function noteRecords(found, linked) {
-  recordsIn(found?.shaking).forEach((id, at) => linked[at] && waves.set(id, linked[at]));
+  for (const [key, id] of Object.entries(recordsIn(found?.shaking))) if (linked[key]) waves.set(id, linked[key]);
 }
 
-/** What a link is to hold of the records of a room, {name, letters} of each; "letters" is null where one is too large. */
-export const recordsOf = ({ shaking }) => recordsIn(shaking).map(waveOf);
+/** What a link is to hold of the records of a room, {key, name, letters} of each; "letters" is null where one is too large. */
+export const recordsOf = ({ shaking }) =>
+  Object.entries(recordsIn(shaking)).map(([key, id]) => ({ key, ...waveOf(id) }));
 
 function waveOf(id) {
   const { record } = fields.current(),
-    now = [record, record?.vertical].find((one) => one?.id === id);
+    now = [record, ...fields.FURTHER.map((part) => record?.[part])].find((one) => one?.id === id);
   if (now?.letters) waves.set(id, { name: now.name, letters: now.letters });
   return waves.get(id) ?? { name: now?.name ?? "", letters: null };
 }
 
 async function fetchRecord(shaking) {
   const { component, unit, dt, remove_mean } = shaking,
-    ids = recordsIn(shaking),
-    [id, up] = ids,
-    [wave, upWave] = ids.map(waveOf);
+    { record: id, ...ids } = recordsIn(shaking),
+    linked = Object.entries(ids).map(([part, one]) => [part, { id: one, said: { unit, dt, remove_mean }, ...waveOf(one) }]),
+    wave = waveOf(id);
   wanted = id;
   try {
     const motion = await upload.motionOf({ id, said: { component, unit, dt, remove_mean }, ...wave }),
-      above = up && (await upload.motionOf({ id: up, said: { unit, dt, remove_mean }, ...upWave }));
+      further = {};
+    for (const [part, one] of linked) {
+      const known = await upload.motionOf(one);
+      further[part] = upload.whole(known, one.letters);
+    }
     if (room.current().shaking?.record !== id) return;
-    if (motion.id !== id || (up && above.id !== up)) {
-      waves.set(motion.id, wave);
-      if (up) waves.set(above.id, upWave);
-      const { shaking: now, ...rest } = room.current();
-      room.replace({ ...rest, shaking: { ...now, record: motion.id, ...(up && { vertical: above.id }) } });
+    const now = { record: motion.id, ...fields.furtherOf(further) };
+    if (FILES.some((key) => now[key] !== (key === "record" ? id : ids[key]))) {
+      for (const key of Object.keys(now)) waves.set(now[key], key === "record" ? wave : waveOf(ids[key]));
+      const { shaking: before, ...rest } = room.current();
+      room.replace({ ...rest, shaking: { ...before, ...now } });
       return;
     }
-    const vertical = up ? upload.upright(above, above.name, upWave.letters) : null;
-    put({ record: { id, name: motion.name, shaking: motion.shaking, motion, letters: wave.letters, vertical } });
+    const about = linked.length ? await api.motion(id, component, ids) : motion;
+    put({ record: { ...upload.whole(motion, wave.letters), motion: about, ...further } });
     upload.update();
   } catch (error) {
-    if (!(error instanceof api.Refused || wave.letters || upWave?.letters)) throw error;
+    const held = wave.letters || linked.some(([, one]) => one.letters);
+    if (!(error instanceof api.Refused || held)) throw error;
     if (room.current().shaking?.record === id) whenLost();
   } finally {
     wanted = null;
@@ -144,8 +152,7 @@ function written(before, keys) {
   if (has(keys, "record", "family", "member")) {
     const suite = { ...computedSuite, family: scene.family };
     for (const key of MOTIONS) delete shaking[key];
-    Object.assign(shaking, scene.record ? scene.record.shaking : { suite, member: scene.member });
-    if (scene.record?.vertical) shaking.vertical = scene.record.vertical.id;
+    Object.assign(shaking, scene.record ? fields.shakingOf(scene.record) : { suite, member: scene.member });
   }
   if (has(keys, "intensity", "entry", "scaled", "record")) {
     for (const key of STRENGTHS) delete shaking[key];

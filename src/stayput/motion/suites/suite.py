@@ -439,7 +439,10 @@ def _records_in(
         if all(channel.borehole for channel in file.channels):
             left_out.setdefault("in_borehole", []).append(path.name)
         else:
-            records.setdefault(_record_of(file) or path, []).append(file)
+            channel = file.channels[0]
+            origin = channel.origin or channel.name
+            key = record_key(path.name, origin, channel.label) if len(file.channels) == 1 else None
+            records.setdefault(key or path, []).append(file)
     for key, files in list(records.items()):
         if all(is_vertical(channel.label) for file in files for channel in file.channels):
             left_out.setdefault("vertical_only", []).extend(file.path.name for file in records.pop(key))
@@ -449,15 +452,19 @@ def _records_in(
     return [_motion(files, component) for files in records.values()]
 
 
-def _record_of(file: ReadFile) -> Hashable:
-    """Return what tells the record that a file's one channel is of; None of several or where nothing does."""
-    channel = file.channels[0]
-    if len(file.channels) > 1:
-        return None
-    if number := _RECORD_NUMBER.match(file.path.name):
-        return int(number[1])
-    origin = channel.origin or channel.name
-    return plain_origin(origin) if channel.label and origin else None
+def record_key(file: str, origin: str, label: str) -> str | None:
+    """Return what tells the record that a file of one channel is of; None where nothing does.
+
+    Parameters
+    ----------
+    file : str
+        The file's name: of PEER it begins with the record's number.
+    origin, label : str
+        Event, station and sensor, and the channel's direction, as the file states them.
+    """
+    if number := _RECORD_NUMBER.match(file):
+        return f"RSN{int(number[1])}"
+    return plain_origin(origin) if label and origin else None
 
 
 def _motion(files: Sequence[ReadFile], component: str | None) -> Motion:
