@@ -59,6 +59,18 @@ def counted():
     return f"Quake of May\n{N} 0.01\n" + block(WAVE, "%.3f", 1)
 
 
+def in_rows():
+    """One channel in rows of five, below words that state its number of samples and its time step."""
+    head = f"001XYZ\nCOMP. NS\nUNIT: GAL\nNO. OF POINTS: {N}  EQUALLY SPACED INTERVALS OF: 0.01 SEC\n"
+    return head + block(WAVE, "%10.3f", 5)
+
+
+def without_time():
+    """Columns of directions alone below a number of samples and a time step."""
+    head = f"NUMBER OF DATA: {N}\nSAMPLING INTERVAL (sec): 0.01\nRAW PGA VALUES (gal): 1 2 3\nN-S E-W U-D\n"
+    return head + "".join(f"{a:.3f} {-a:.3f} {a / 2:.3f}\n" for a in WAVE)
+
+
 ESM = esm(WAVE, SAMPLING_INTERVAL_S="0.01", DURATION_S="0.96", STREAM="HNN")
 FORMATS = {
     name: text.encode("cp932")
@@ -79,11 +91,14 @@ FORMATS = {
         "ordered": ordered(),
         "titled": titled(),
         "counted": counted(),
+        "in_rows": in_rows(),
+        "without_time": without_time(),
         "swapped_case": ESM.lower().replace(": ", " : "),  # small letters, wider spacing
     }.items()
 }
 UNITS = {"columns": "gal", "counted": "gal"}
-COUNTED = {"peer", "knet", "esm", "csmip", "cosmos", "counted", "swapped_case"}  # they state how many samples
+# They state how many samples they have.
+COUNTED = {"peer", "knet", "esm", "csmip", "cosmos", "counted", "in_rows", "without_time", "swapped_case"}
 
 
 @pytest.fixture(scope="module")
@@ -158,6 +173,8 @@ ONCE = {  # the time step, where a format states it once: nothing else tells tha
     "jma": r"RATE= (100)Hz",
     "cosmos": r"-999\.000000 +(10\.000000)",
     "counted": r"96 (0\.01)",
+    "in_rows": r"OF: (0\.01)",
+    "without_time": r"\(sec\): (0\.01)",
 }
 
 
@@ -257,6 +274,8 @@ def _first(name):
         "ordered": "4F10.3",
         "titled": '"(gal)"\n',
         "counted": "0.01\n",
+        "in_rows": " SEC\n",
+        "without_time": "U-D\n",
         "swapped_case": "in it\n",
     }[name]
 

@@ -169,7 +169,7 @@ REFUSED = {
     ("not_acceleration", 2): [
         "# unit: counts",
         "# UNITS: cm/s",
-        "# number of velocity points: 4000, dt: 0.02",
+        "# number of velocity points: 60, dt: 0.02",
         "Corrected velocity time history",
         "# quantity: displacement",
         "# 速度波形",

@@ -170,10 +170,21 @@ TEXTS: dict[str, tuple[str, str]] = {
     "columns_of_numbers": ("columns of numbers", "数値の列"),
     "file_and_form": ("{file} ({form})", "{file}（{form}）"),
     "column_count": (("The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, "
-                      "z), unless {option} says which: {example}."),
+                      "z), unless {option} says which: {example}; "
+                      "rows of one series need their number of samples and step above them: 4000 0.01."),
                      ("{columns}列あります。1列（加速度）、2列（時刻と加速度）、4列（時刻とx、y、"
                       "z）にするか、どれがそれらの列かを「{option}」で指定してください（例："
-                      "「{example}」）。")),
+                      "「{example}」）。1つの時系列が行に続けて並ぶ場合は、"
+                      "データの上に個数と時間刻みを「4000 0.01」のように書いてください。")),
+    "rows_taken_as_samples": (("Each row is read as {count} samples of one series, which goes on from row to "
+                               "row."),
+                              "各行を、次の行へと続く1つの時系列の{count}個のデータとして読みます。"),
+    "rows_of_one_series": (("A row has {count} samples of one series, which goes on from row to row; it must "
+                            "not be taken as columns, but the number of samples and the step may stand above "
+                            "them: 4000 0.01."),
+                           ("1行に1つの時系列の{count}個のデータが並び、次の行へと続いています。"
+                            "列には分けられません。データの上に個数と時間刻みを「4000 0.01」のように"
+                            "書いてください。")),
     "column_first_row": (("Row {row} has {count} values; it must have {columns} like the first, unless "
                           "{option} passes that over."),
                          ("行によって列の数が違います（1行目は{columns}個、{row}行目は{count}個）。"

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 import re
 import unicodedata
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -87,20 +87,16 @@ def known_unit(unit: str) -> str | None:
 
 UNIT_OF_TIME = re.compile(r"m?s(?:ec(?:ond)?s?)?", re.IGNORECASE)
 _STATED = re.compile(
-    r"(?:(?<!time)(?<!time[ _-])units?(?:(?: of (?!time)[a-z]{1,20})? ?[:=] ?| of (?!time)|( in | ?[(\[] ?))"
-    r"|単位 ?[:=：（(]? ?)"
-    r"((?:[0-9.]{1,12} )?[^\s,;)\]、。）]{1,40}(?: ?\(? ?[*×x/] ?[0-9][0-9.e+\-]{0,9}\)?)?)",
+    r"(?:(?<!time)(?<!time[ _-])units?(?:(?: of (?!time)[a-z]{1,20})? ?[:=] ?| of (?!time))"
+    r"|(?P<doubtful>(?:(?<!time)(?<!time[ _-])units?|(?:series|history|raw pga values)(?! in units?))"
+    r"(?: in | ?[(\[] ?))|単位 ?[:=：（(]? ?)"
+    r"(?P<unit>(?:[0-9.]{1,12} )?[^\s,;)\]、。）]{1,40}(?: ?\(? ?[*×x/] ?[0-9][0-9.e+\-]{0,9}\)?)?)",
     re.IGNORECASE,
 )
-_STEP_TOLERANCE = 1e-4
-"""Relative difference up to which two time steps are the same one, rounded to five digits or more."""
+_STEP_TOLERANCE = 1e-4  # relative, of two time steps that are the same one, rounded to five digits or more
 
-_ROUNDING_OF_TIMES = 0.2
-"""Error of a printed time, in time steps, that is taken for rounding; a missing sample is one of 1."""
-
-_MOST_VARIATION = 0.01
-"""Error of a time of which the rate varies, as a share of the duration, that equal steps may make."""
-
+_ROUNDING_OF_TIMES = 0.2  # error of a printed time, in time steps; a missing sample is one of 1
+_MOST_VARIATION = 0.01  # error of a time, as a share of the duration, where the sampling rate varies
 _SQUARED_SECONDS = r"/s(?:ec)?(?:/s(?:ec)?|²|\^?2|\*\*2)"
 MENTIONED = re.compile(
     rf"(?<![a-zµμ])(gals?|(?:[cm]?m|in|ft){_SQUARED_SECONDS}|%g)(?![a-z0-9/^²*])"
@@ -114,20 +110,37 @@ _VELOCITY = re.compile(
 _DISPLACEMENT = re.compile(
     r"(?<![a-z])disp(?:lacement)?(?![a-z])|[(\[] ?[cm]?m ?[)\]]|_[cm]m$|^[cm]?m$", re.IGNORECASE
 )
+_OTHER_MOTION = re.compile(
+    r"(?P<key>(?:quantity|type|kind|data) ?[:=] ?)?(?<![a-z])(?<!wave )(?:(?P<velocity>velocity|(?<!加)速度)"
+    r"|displacement|変位)(?P<of_data>[ _-]*(?:(?:points?|data|samples?|values?|records?|traces?|history"
+    r"|time[ -](?:series|history))(?![a-z])|[(\[]|波形|データ|記録|時刻歴))?",
+    re.IGNORECASE,
+)
+_ACCELERATION = re.compile(r"acc(?![a-z])|accel|加速度", re.IGNORECASE)
+_SPECTRUM = re.compile(r"(?:response|fourier|amplitude) spectr|(?:応答|フーリエ)スペクトル", re.IGNORECASE)
+_HISTORY = re.compile(r"accelero|histor|time[ -]series|match|compatible|時刻歴|波形|適合", re.IGNORECASE)
 _NUMBER = r"[0-9]*\.?[0-9]+(?:[eE][+\-]?[0-9]+)?"
 _SHORT_NUMBER = r"[0-9]{0,9}\.?[0-9]{1,20}(?:[eE][+\-]?[0-9]{1,2})?"
 _VALUE = (
     r"[^0-9a-z.\n-]{0,4}(?:(?P<bracketed_of>[a-zµμ]+)[)\]])?[ :=：＝]*"
-    rf"(?P<of>{_SHORT_NUMBER})(?:/(?P<per_of>{_SHORT_NUMBER}))?(?!,?[0-9]|/) ?(?P<unit_of>[a-zµμ]*)"
+    rf"(?P<of>{_SHORT_NUMBER})(?:/(?P<per_of>{_SHORT_NUMBER}))?"
+    r"(?!,?[0-9]|/|e[+\-]?[0-9]) {0,9}(?P<unit_of>[a-zµμ]*)"
 )
 _STEP = re.compile(
-    r"(?:(?<![a-z])(?:dt|delta[ _]?t|(?:time|sampl(?:e|ing))[ _-]?(?:step|interval|period))"
+    r"(?:(?<![a-z])(?:dt|delta[ _]?t|(?:time|sampl(?:e|ing))[ _-]?(?:step|interval|period|increment)"
+    r"|equally[ -]spaced (?:at )?intervals? of)"
     r"|^(?:delta|interval)(?=[ :=]*0?\.)|時間(?:刻み|間隔)|サンプリング(?:間隔|周期))"
     rf"{_VALUE.replace('of>', 'step>')}"
     r"|(?:(?<![a-z])(?:sampl(?:e|ing)[ _-]?(?:rate|freq(?:uency)?)|fs|sps)|サンプリング(?:周波数|レート))"
     rf"{_VALUE.replace('of>', 'rate>')}"
     rf"|(?<![a-z0-9.,/])(?P<sps>{_SHORT_NUMBER}) ?(?:sps|samples?(?: per |/)s(?:ec(?:ond)?)?)(?![a-z])",
     re.IGNORECASE | re.MULTILINE,
+)
+_COUNT = re.compile(
+    r"(?<![a-z])(?:(?:no|nr|num(?:ber)?|total)\.? (?:of )?(?:[a-z]{1,20} ){0,2}"
+    r"(?:points?|pts|data|samples?|values)|npts|ndata)[ :=]{1,40}([0-9]{1,9})(?![0-9.,]*[0-9])"
+    r"|(?:データ|サンプル)の?(?:個数|数)[ :=：＝]*([0-9]{1,9})",
+    re.IGNORECASE,
 )
 _OTHER_UNIT = re.compile(
     r"[uµμn]s(?:ec)?|micro.*|m(?:in(?:ute)?s?)?|h(?:ours?|rs?)?|d(?:ays?)?|[km]hz|k", re.IGNORECASE
@@ -144,9 +157,9 @@ _COUNTS = re.compile(r"(?:digital )?(?:counts?|cts|lsb|m?volts?)(?![a-z])", re.I
 def stated_unit(header: str) -> str | None:
     """Return the unit that a header states in so many words: "unit: gal", "UNITS OF G"."""
     for match in _STATED.finditer(" ".join(header.split())):
-        unit = match[2].rstrip(".")
-        # "Recorder unit (S/N 3)" states none.
-        if not UNIT_OF_TIME.fullmatch(unit) and (not match[1] or known_unit(unit) or quantity_of(unit)):
+        unit = match["unit"].rstrip(".")
+        stated = not match["doubtful"] or known_unit(unit) or quantity_of(unit)
+        if stated and not UNIT_OF_TIME.fullmatch(unit):  # "Recorder unit (S/N 3)" states none
             return unit
     return None
 
@@ -158,6 +171,12 @@ def stated_step(header: str) -> float | None:
     """
     steps = {_step(match) for match in _STEP.finditer(header)}
     return steps.pop() if len(steps) == 1 else None
+
+
+def stated_count(header: str) -> int | None:
+    """Return the one number of samples that a header states: "NO. OF POINTS: 4000"."""
+    counts = {int(match[1] or match[2]) for match in _COUNT.finditer(header)}
+    return counts.pop() if len(counts) == 1 else None
 
 
 def _step(match: re.Match[str]) -> float | None:
@@ -241,6 +260,20 @@ def acceleration_unit(
 def not_acceleration(where: str, quantity: str) -> InputError:
     """Return the refusal of a file whose text says that it is of another quantity: the key of its name."""
     return InputError("motion.not_acceleration", where=excerpt(where), quantity=phrase(f"motion.{quantity}"))
+
+
+def _check_quantity(lines: Sequence[str]) -> None:
+    """Refuse numbers that the lines above them say to be of a velocity, a displacement or a spectrum.
+
+    Lines that also speak of acceleration or a history may say what these were made from.
+    """
+    matches = [(line, match) for line in lines for match in _OTHER_MOTION.finditer(line)]
+    told = next(((line, m) for line, m in matches if m["key"] or m["of_data"]), None)
+    if told and not any(map(_ACCELERATION.search, lines)):
+        raise not_acceleration(told[0], "velocity" if told[1]["velocity"] else "displacement")
+    spectrum = next(filter(_SPECTRUM.search, lines), None)
+    if spectrum and not any(map(_HISTORY.search, lines)):
+        raise not_acceleration(spectrum, "spectral")
 
 
 def not_the_files_own(field: str, passed: str | Phrase, stated: str | Phrase) -> InputError:
@@ -428,6 +461,7 @@ def column_factors(
     InputError
         A column is no acceleration, no unit is stated or given, or two of them contradict each other.
     """
+    _check_quantity(above.split("\n"))
     columns = {i: text for i, text in enumerate(headings.texts) if i != headings.time}
     scale = {i: unit_factor(unit) for i, text in columns.items() if (unit := _own_unit(text, stated, passed))}
     if columns and len(scale) == len(columns):

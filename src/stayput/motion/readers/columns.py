@@ -8,15 +8,18 @@ stand above the numbers: the column that is headed "time" or "t" is the time, in
 a heading the first is, unless it counts the samples, 1, 2, 3, …: then ``dt`` must be given. A comment may
 state the time step, "dt = 0.01", the order, "columns: t, UD, NS, EW", and the unit, "unit: m/s²"; each
 heading states that of its column, as in "t, NS (gal), EW (gal), UD (g)"; the caller must do it otherwise.
-Above the samples of one channel, one or several a row, their number and the time step may stand: "4000 0.02".
+Above the samples of one channel, one or several a row, their number and the time step may stand: "4000 0.02",
+or in words, as China's CSMNC writes them: "NO. OF POINTS: 4000", "INTERVALS OF: 0.01 SEC". Below a time step
+columns that are all headed by directions have no time, as in the files of Türkiye's NSMN.
 """
 
 from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any, TypedDict, cast
 
 import numpy as np
@@ -26,20 +29,17 @@ from stayput.errors import InputError, InputWarning, excerpt, shown, unknown, wa
 from stayput.files import named_columns
 from stayput.motion import units as known_units
 from stayput.motion.channels import LISTED, Channel, in_borehole, is_direction, labels_phrase
-from stayput.motion.readers.headings import (
-    Headings,
-    check_quantity,
-    is_time,
-    is_title,
-    read_headings,
-    split,
-    units_in,
-)
-from stayput.motion.readers.text import Reader, check_count, lines, not_as_stated, numbers
+from stayput.motion.readers.headings import Headings, is_time, is_title, read_headings, split, units_in
+from stayput.motion.readers.text import Reader, check_count, is_decimal, lines, not_as_stated, numbers
 from stayput.wording import joined
 
 _COMMENT = ("#", "%", "//", "!")
 _STARTS = re.compile(r"[\"']?[+\-]?\.?[0-9]")
+_TOUCHING = re.compile(r"(?<=[0-9.])(?=-)")
+"""Where a number of fixed width touches the next, a negative one; before an exponent's minus is its e."""
+_FEWEST_ROWS = 10  # fewer do not show whether a series goes on from row to row
+_CONTINUITY = 1.5
+"""Ratio of changes down a column to those along the rows of one series: above; of channels, far below 1."""
 _LABELS = {1: [""], 2: ["", ""], 4: ["t", "x", "y", "z"]}
 _STATED_STEP = 0.01
 """Relative difference up to which the time column has the step that is stated above it."""
@@ -75,10 +75,19 @@ class _Head:
 def _head(text: str, *, chosen: bool = False) -> _Head:
     """Return the beginning of a file; where columns are chosen their headings may be any text."""
     head = _Head()
-    for line in map(str.strip, without_control(text[:_HEAD]).split("\n")):
+    beginning = without_control(text[:_HEAD])
+    beginning = beginning if len(text) <= _HEAD else beginning.rpartition("\n")[0]
+    heading, some_lines = 0, [line.strip() for line in beginning.split("\n")]
+    # Where the number of samples is stated any lines may stand above them: none is lost unnoticed.
+    if known_units.stated_count(beginning) is not None:
+        numeric = [bool(line) and all(map(is_decimal, _samples(line))) for line in some_lines]
+        heading = next((i for i in range(len(numeric)) if all(numeric[i : i + 3])), 0)
+    for i, line in enumerate(some_lines):
         if line.startswith(_COMMENT):
             head.comments.append(line.lstrip("#%/! "))
-        elif line and not head.rows and (is_title(line) or (chosen and not _STARTS.match(line))):
+        elif (
+            line and not head.rows and (i < heading or is_title(line) or (chosen and not _STARTS.match(line)))
+        ):
             head.titles.append(line)
         elif line and len(head.rows) < 2:
             head.rows.append(line)
@@ -97,8 +106,43 @@ def _fields(line: str, *, chosen: bool) -> list[str]:
     return split(line)
 
 
+def _samples(line: str) -> list[str]:
+    """Return the numbers of a row of one series, which may touch."""
+    return split(_TOUCHING.sub(" ", line))
+
+
+def _is_one_series(text: str, skipped: int, row: str, size: int | None) -> bool:
+    """Return whether rows are of several samples of one series each, and not of columns.
+
+    They are where that makes the stated number of samples. Else all rows but the last are of one length, and
+    the series changes less from a number to the next, and from row to row, than down a column.
+
+    Raises
+    ------
+    InputError
+        The stated number is that of neither.
+    """
+    width = len(_samples(row))
+    body = text.rstrip().rpartition("\n")[0] if size is None else text
+    values = _numbers_at(body, skipped, range(width), _samples, counted=size is not None)
+    try:
+        flat = numbers(values, "the_numbers")
+    except InputError:
+        return False
+    if size is not None:
+        count = min(len(flat), len(flat) // width, key=lambda count: abs(count - size))
+        check_count(count, size)
+        return width > 1 and count == len(flat)
+    rows = flat.reshape(-1, width)
+    if width == 1 or len(rows) < _FEWEST_ROWS:
+        return False
+    changes = (np.diff(rows), rows[1:, 0] - rows[:-1, -1], np.diff(rows, axis=0))
+    along, over, down = (float(np.abs(change).mean()) for change in changes)
+    return over < _CONTINUITY * along < down
+
+
 def _numbers_at(
-    text: str, skipped: int, places: Sequence[int], *, chosen: bool, counted: bool
+    text: str, skipped: int, places: Sequence[int], fields: Callable[[str], list[str]], *, counted: bool
 ) -> Iterator[str]:
     """Yield the numbers of the columns at some places, row by row, below so many lines.
 
@@ -112,7 +156,7 @@ def _numbers_at(
         if skipped:
             skipped -= 1
             continue
-        values = _fields(line.strip(), chosen=chosen)
+        values = fields(line.strip())
         row, count = row + 1, count or len(values)
         if len(values) != count and not counted:
             about: dict[str, Any] = {"row": row, "columns": count}
@@ -147,13 +191,22 @@ def read_columns(
     head = _head(text, chosen=bool(chosen))
     if not head.rows:
         raise InputError("motion.few_rows", rows=0)
-    check_quantity(head.comments + head.titles)
     head.titles[:], skipped = [line for line in head.titles if any(map(str.isalnum, line))], len(head.titles)
     counted = not chosen and head.states_count()
-    places, headings = _chosen_columns(head, chosen) if chosen else _usual_columns(head, counted)
-    values = _numbers_at(text, skipped + counted, places, chosen=bool(chosen), counted=counted)
-    table = numbers(values, "the_numbers").reshape(-1, len(places))
     above = head.comments + head.titles
+    header = "\n".join(above)
+    size, written = known_units.stated_count(header), known_units.stated_step(header)
+    width = len(_samples(head.rows[0]))
+    in_doubt = size is not None or ("t" not in chosen and (bool(chosen) or width not in _LABELS))
+    series = counted or (in_doubt and _is_one_series(text, skipped, head.rows[0], size))
+    if series and chosen:
+        raise InputError("motion.rows_of_one_series", "columns", count=width)
+    if series and not counted and size is None:
+        warn(InputWarning("motion.rows_taken_as_samples", count=width))
+    places, headings = _chosen_columns(head, chosen) if chosen else _usual_columns(head, series, written)
+    fields = _samples if series else partial(_fields, chosen=bool(chosen))
+    values = _numbers_at(text, skipped + counted, places, fields, counted=series)
+    table = numbers(values, "the_numbers").reshape(-1, len(places))
     if line := known_units.stated_factor(above):
         raise InputError("motion.column_factor", "skip_lines", line=excerpt(line), option="skip_lines")
     units = {
@@ -164,8 +217,7 @@ def read_columns(
     if len(units) > 1:
         first, second, *_ = map(excerpt, units.values())
         raise InputError("motion.stated_twice", what=phrase("motion.the_unit"), first=first, second=second)
-    written = known_units.stated_step("\n".join(above))
-    timeless = "t" not in chosen if chosen else len(places) == 1
+    timeless = "t" not in chosen if chosen else len(places) == 1 or headings.time is None
     # The headings of chosen columns begin with one of the time, whether the file has that or not.
     shift = 1 if chosen and timeless else 0
     factors = known_units.column_factors(
@@ -173,11 +225,13 @@ def read_columns(
         len(places) + shift,
         next(filter(None, map(known_units.stated_unit, above)), None),
         unit,
-        "\n".join(above),
+        header,
         step_missing=timeless and dt is None and written is None and not counted,
     )[shift:]
     if len(table) < 2:
         raise InputError("motion.few_rows", rows=1)
+    if size is not None:
+        check_count(len(table), size)
     time = None if timeless else headings.time or 0
     if time is not None:
         times = headings.time_factor * table[:, time]
@@ -205,7 +259,7 @@ def read_columns(
         step = known_units.time_step(written, dt)
     if chosen:
         labels = headings.names[shift:] or [""] * len(places)
-    elif timeless:
+    elif len(places) == 1:
         labels = [next(filter(is_direction, headings.names), "")]
     else:
         labels = headings.names or _LABELS[len(places)]
@@ -245,11 +299,11 @@ def _chosen_columns(head: _Head, chosen: Mapping[str, str]) -> tuple[Sequence[in
     return places, headings
 
 
-def _usual_columns(head: _Head, counted: bool) -> tuple[Sequence[int], Headings]:
+def _usual_columns(head: _Head, counted: bool, step: float | None) -> tuple[Sequence[int], Headings]:
     """Return the places of the time and the accelerations, and what the headings say."""
     count = 1 if counted else len(split(head.rows[0]))
     places: Sequence[int] = range(count)
-    headings = read_headings(head.titles, head.comments, count, head.rows[0])
+    headings = read_headings(head.titles, head.comments, count, head.rows[0], step_stated=step is not None)
     if others := known_units.other_quantities(headings):
         left_out = labels_phrase(headings.texts[place] for place in others)
         warn(InputWarning("motion.columns_left_out", "columns", columns=left_out))

@@ -10,15 +10,7 @@ from typing import NamedTuple
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, excerpt, without_control
 from stayput.motion.channels import LISTED, is_direction, is_down, is_vertical
-from stayput.motion.units import (
-    BRACKET,
-    UNIT_OF_TIME,
-    is_motion,
-    known_unit,
-    not_acceleration,
-    quantity_of,
-    time_factor,
-)
+from stayput.motion.units import BRACKET, UNIT_OF_TIME, is_motion, known_unit, quantity_of, time_factor
 from stayput.wording import joined
 
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9\-]{0,11}")
@@ -33,18 +25,6 @@ _OTHER_THAN_TIME = re.compile(
 )
 """What heads the first column of spectra and other tables."""
 _OF_TIME = re.compile(r"[(\[] ?m?s(?:ec(?:ond)?s?)? ?[)\]]", re.IGNORECASE)
-_OTHER_MOTION = re.compile(
-    r"(?P<key>(?:quantity|type|kind|data) ?[:=] ?)?(?<![a-z])(?<!wave )"
-    r"(?:(?P<velocity>velocity|(?<!加)速度)|(?P<displacement>displacement|変位))"
-    r"(?P<of_data>[ _-]*(?:(?:points?|data|samples?|values?|records?|traces?|histor(?:y|ies)"
-    r"|time[ -](?:series|histor(?:y|ies)))(?![a-z])|[(\[]|波形|データ|記録|時刻歴))?",
-    re.IGNORECASE,
-)
-_ACCELERATION = re.compile(r"acc(?![a-z])|accel|加速度", re.IGNORECASE)
-_SPECTRUM = re.compile(
-    r"(?:response|fourier|amplitude) spectr(?:um|a)(?![a-z])|(?:応答|フーリエ)スペクトル", re.IGNORECASE
-)
-_OF_HISTORY = re.compile(r"accelero|histor|time[ -]series|match|compatible|時刻歴|波形|適合", re.IGNORECASE)
 _TRANSVERSE = re.compile(r"T(?![A-Za-z])")
 _LONGITUDINAL = re.compile(r"[LR](?![A-Za-z])")
 _NEGATIVE = re.compile(
@@ -77,7 +57,9 @@ _FIGURES = re.compile(
     re.IGNORECASE,
 )
 _PLACE = re.compile(r"(?<![a-z0-9])(?:first|second|third|last|[1-4](?:st|nd|rd|th))(?![a-z])", re.IGNORECASE)
-_COMPONENT = re.compile(r"(?:comp(?:onent)?|channel|direction|成分|方向) ?[:=：] ?(.*)", re.IGNORECASE)
+_COMPONENT = re.compile(
+    r"(?:(?:comp(?:onent)?|channel|direction|成分|方向) ?[:=：]|comp\.) ?(.*)", re.IGNORECASE
+)
 _TITLE = re.compile(r"[\"'(\[]?[^\W\d_]{2,}|[0-9/.\-]+ +[^\W\d_]{3,}")
 _RULE = re.compile(r"[-=_+|,; \t]*[-=_]{3}[-=_+|,; \t]*")
 _WORD = re.compile(r"(?<![A-Za-z0-9.°])[A-Za-z]+(?![A-Za-z0-9])")
@@ -117,7 +99,7 @@ class Headings(NamedTuple):
     texts : tuple of str
         The headings as they stand in the file, one a column; none where it has none.
     time : int, optional
-        Which column is the time; None of one column.
+        Which column is the time; None of one column, and of directions alone below a time step.
     time_factor : float
         Size of the unit of time [s].
     names : tuple of str
@@ -201,7 +183,9 @@ def units_in(line: str) -> list[str]:
     return units if whole and any(units) else []
 
 
-def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, row: str) -> Headings:
+def read_headings(
+    titles: Sequence[str], comments: Sequence[str], count: int, row: str, *, step_stated: bool = False
+) -> Headings:
     """Return what stands above the numbers of the columns.
 
     Parameters
@@ -216,6 +200,8 @@ def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, ro
         The first line of numbers. A comment may be about anything: of one that does not say what each column
         is, only names are taken, unless its first field is the time, or any is and the numbers are parted as
         its fields are.
+    step_stated : bool
+        Whether the time step stands above, so that headings that are directions alone lack none.
 
     Raises
     ------
@@ -252,7 +238,10 @@ def read_headings(titles: Sequence[str], comments: Sequence[str], count: int, ro
     if count > 2 and not any(map(is_vertical, names)) and (unread := _unread_order(lines)):
         raise InputError("motion.column_order_unread", line=excerpt(unread), option="columns")
     if _OF_SPECTRA.fullmatch(texts[0]) and not times:
-        raise not_acceleration(texts[0], "spectral")
+        spectrum = phrase("motion.spectral")
+        raise InputError("motion.not_acceleration", where=excerpt(texts[0]), quantity=spectrum)
+    if not times and names and all(map(is_direction, names)) and step_stated:
+        return Headings(tuple(texts), None, names=names)
     of_another = _OTHER_THAN_TIME.fullmatch(texts[0]) is not None
     if not (ordered or titles or alike or (of_another and all(map(is_motion, texts[1:])))):
         return Headings(names=names if all(map(is_direction, names[1:])) else named)
@@ -364,20 +353,6 @@ def _times(texts: Sequence[str]) -> list[int]:
     named = [i for i in others if _TIME.match(texts[i]) and not is_motion(texts[i])]
     times = [i for i in named if not (beside and _TRANSVERSE.match(texts[i]))]
     return times or [i for i in others if _OF_TIME.search(texts[i])]
-
-
-def check_quantity(lines: Sequence[str]) -> None:
-    """Refuse a file that is, by the lines above its numbers, of velocities, displacements or a spectrum.
-
-    A file that also says that it is of acceleration or a history is not: the other is what it was made from.
-    """
-    if not any(map(_ACCELERATION.search, lines)):
-        for line in lines:
-            for match in _OTHER_MOTION.finditer(line):
-                if match["key"] or match["of_data"]:
-                    raise not_acceleration(line, "velocity" if match["velocity"] else "displacement")
-    if not any(map(_OF_HISTORY.search, lines)) and (line := next(filter(_SPECTRUM.search, lines), None)):
-        raise not_acceleration(line, "spectral")
 
 
 def is_time(text: str) -> bool:

@@ -199,7 +199,7 @@ def numbers(tokens: Iterable[str], what: str) -> NDArray[np.float64]:
         except ValueError:
             read = None
         if read is None or not np.isfinite(read).all() or "_" in plain or not plain.isascii():
-            place, token = next(((i, t) for i, t in enumerate(batch) if not _is_finite_decimal(t)), (0, ""))
+            place, token = next(((i, t) for i, t in enumerate(batch) if not is_decimal(t)), (0, ""))
             raise InputError(
                 "motion.decimal_comma" if _COMMA.fullmatch(token.strip()) else "motion.not_a_decimal",
                 option="decimal_comma",
@@ -211,7 +211,8 @@ def numbers(tokens: Iterable[str], what: str) -> NDArray[np.float64]:
     return np.frombuffer(values, dtype=np.float64)
 
 
-def _is_finite_decimal(token: str) -> bool:
+def is_decimal(token: str) -> bool:
+    """Return whether a text is one finite decimal number."""
     return _DECIMAL.fullmatch(token.strip()) is not None and bool(np.isfinite(float(token)))
 
 
