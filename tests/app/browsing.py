@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
-from playwright.sync_api import sync_playwright
+from playwright.sync_api import expect, sync_playwright
 
 import prerequisites
 from long_cases import long
+from waiting import PATIENCE
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterator, Mapping
@@ -27,8 +28,10 @@ FLAGS = ["--no-sandbox", "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0
 WEBGL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]  # without a graphics card
 FLAT = ["--disable-gpu", "--disable-3d-apis"]  # takes half as long as WebGL that no graphics card draws
 LOCALES = {"en": "en-GB", "ja": "ja-JP"}
-WAIT = 60_000
+WAIT = 1000.0 * PATIENCE
 """How long the page may take for anything, on a machine that has much else to do [ms]."""
+
+expect.set_options(timeout=WAIT)
 
 COMPILING = 300_000
 """How long what is compiled first may take [ms]."""

@@ -7,13 +7,12 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 from urllib.parse import urlsplit
 
+from waiting import PATIENCE
+
 if TYPE_CHECKING:
     from collections.abc import Generator
 
     from serving import Running
-
-WAIT = 60.0
-"""How long an answer may take, on a machine that has much else to do [s]."""
 
 PING = b"GET /api/v1/ping HTTP/1.1\r\nHost: localhost\r\n\r\n"
 
@@ -23,7 +22,7 @@ def connected(server: Running) -> Generator[socket.socket]:
     place = urlsplit(server.address)
     assert place.hostname is not None
     assert place.port is not None
-    with socket.create_connection((place.hostname, place.port), timeout=WAIT) as found:
+    with socket.create_connection((place.hostname, place.port), timeout=PATIENCE) as found:
         yield found
 
 

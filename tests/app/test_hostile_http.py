@@ -19,6 +19,7 @@ from serving import SCENE, Running, client_of, running
 
 from long_cases import long
 from stayput.app.limits import Limits
+from waiting import PATIENCE
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -27,8 +28,6 @@ pytestmark = pytest.mark.hostile
 
 JSON = "Content-Type: application/json"
 FORM = "Content-Type: multipart/form-data; boundary=b"
-SOON = 30.0
-"""How long any of these answers may take, on a slow machine [s]."""
 
 # what looks at the log does so once for all examples; a busy machine takes its time to draw them
 PATIENT = [HealthCheck.function_scoped_fixture, HealthCheck.too_slow]
@@ -62,7 +61,7 @@ def sent(server: Running, data: bytes) -> tuple[int, bytes]:
             found = answer(connection)
         except ConnectionError:
             found = 0, b""
-    assert time.monotonic() - began < SOON
+    assert time.monotonic() - began < PATIENCE
     return found
 
 
