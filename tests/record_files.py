@@ -160,6 +160,19 @@ def cosmos(
     )
 
 
+def asa(rows=ROWS, count=None, orientation="/N90E;/N00E;/V;+", unit="Gal (cm/s/s)", steps="/0.01/0.01/0.01"):
+    count = len(rows) if count is None else count
+    return (
+        "ARCHIVO ESTANDAR DE ACELERACION:\nNOMBRE DE LA ESTACION                  : PRUEBA\n"
+        f"ORIENTACION C1-C6 (rumbo;orientacion)  : {orientation}\n"
+        f"INTERVALO DE MUESTREO, C1-C6, (s)      : {steps}\n"
+        f"NUM. TOTAL DE MUESTRAS, C1-C6          : /{count}/{count}/{count}\n"
+        f"UNIDADES DE LOS DATOS                  : {unit}\nCOMENTARIOS: 2001/01/01 00:00\n"
+        "DATOS DE ACELERACION:\n   CANAL-1   CANAL-2   CANAL-3\n     N90E;     N00E;       V;+\n"
+        + "".join("".join(f"{v:12.3f}" for v in row) + "\n" for row in rows)
+    )
+
+
 SIZES = (10.0, 30.0, 20.0, 5.0, 2.0, 7.0)  # of the columns behind the time; peaks in gal
 
 

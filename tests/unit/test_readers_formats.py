@@ -15,6 +15,7 @@ from record_files import (
     SCALE,
     VALUES,
     WAVE,
+    asa,
     at2,
     cosmos,
     csmip_channel,
@@ -234,7 +235,23 @@ def test_cosmos_velocities_are_passed_over_and_a_missing_interval_is_given(read)
     assert read(cosmos(interval=-999.0), dt=0.01)[0].dt == 0.01
 
 
+def test_asa_directions_are_bearings(read):
+    for orientation, names in (("/N90E;/N00E;/V;+", ("90", "0")), ("/N30W/S60W/V", ("330", "240"))):
+        motion, _ = read(asa(orientation=orientation))
+        assert np.stack([*motion.components.values()], axis=1) == pytest.approx(0.01 * np.array(ROWS))
+        assert (motion.dt, motion.listing.names) == (0.01, (*names, "V"))
+
+
 REFUSED = {
+    "asa": [
+        (asa(count=5), "number of samples 5 and the file has 4"),
+        (asa(orientation=""), "no direction"),
+        (asa(orientation="/N90E;/N00E;/V;-"), "positive the other way"),
+        (asa(orientation="/N90E;/N00E"), "no time step"),
+        (asa(unit=""), "no unit"),
+        (asa(steps="/0.01/0.01/0.02"), "dt of z is 0.02 s"),
+        (asa(rows=[*ROWS, (1.0, 2.0)]), "it must have 3 values"),
+    ],
     "peer": [
         (at2(unit=""), "no unit"),
         (at2(unit="IN UNITS OF FURLONGS"), "'FURLONGS'"),

@@ -20,7 +20,7 @@ from stayput.motion import seismogram
 from stayput.motion.channels import Channel, check_horizontal, is_vertical, labels_phrase, motion_fields
 from stayput.motion.floors import BOREHOLE, floor_phrase
 from stayput.motion.processing import STEP_RANGE, checked_record
-from stayput.motion.readers import california, databases, japan
+from stayput.motion.readers import california, databases, japan, mexico
 from stayput.motion.readers.columns import COLUMNS, MOST_SKIPPED, ReadingOptions, chosen_columns, read_columns
 from stayput.motion.readers.text import check_end, file_bytes, other_format, text_of
 from stayput.motion.record import Motion
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 _HEAD = 1000
 """A file that calls itself synthetic in so many of its first characters stays labelled so."""
 
-READERS = (databases.PEER, *japan.READERS, databases.ESM, *california.READERS, COLUMNS)
+READERS = (databases.PEER, *japan.READERS, databases.ESM, *california.READERS, mexico.ASA, COLUMNS)
 """The readers, in the order in which they are asked whether a file is theirs.
 
 Any file may have lines of bare numbers, so columns come last; the others' first lines exclude one another.
