@@ -139,7 +139,7 @@ def test_pelicun_rules(table: Path) -> None:
     }
     for row, curve in zip(rows, ALL, strict=True):
         assert row["Demand-Type"] == demands[curve.measure.key]
-        assert (row["Incomplete"], row["Demand-Offset"], row["Demand-Directional"]) == ("0", "0", "1")
+        assert (row["Incomplete"], row["Demand-Offset"], row["Demand-Directional"]) == ("0", "0", "0")
         if curve in BY_POINTS:
             continue
         # of "normal" the second parameter would be a coefficient of variation
@@ -311,7 +311,8 @@ def test_pelicun_reads_and_computes(table: Path) -> None:
     from pelicun import file_io  # pyright: ignore[reportMissingImports]
 
     own = {"JMA Instrumental Intensity": {"Acronym": "JMA", "UnitType": "unitless"}}
-    ours = assessment.Assessment({"PrintLog": False, "Seed": 1, "CustomDemandTypes": own})
+    options = {"CustomDemandTypes": own, "NonDirectionalMultipliers": {"ALL": 1.0}}
+    ours = assessment.Assessment({"PrintLog": False, "Seed": 1, **options})
     demands = pd.DataFrame(
         list(DEMANDS.values()),
         columns=["Family", "Theta_0", "Theta_1", "Units"],

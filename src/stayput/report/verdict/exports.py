@@ -237,7 +237,7 @@ def pelicun_csv(curves: Sequence[FragilityCurve]) -> str:
             # Theta_1 of "lognormal" is the standard deviation of the logarithm, of "normal_std" of the value
             family = "normal_std" if curve.measure.is_logarithm else "lognormal"
             parameters = (family, repr(lognormal.median * factor), repr(lognormal.dispersion))
-        writer.writerow((name, 0, demand, unit, 0, 1, *parameters))
+        writer.writerow((name, 0, demand, unit, 0, 0, *parameters))
     return text.getvalue()
 
 
@@ -263,7 +263,9 @@ def _points(curve: FragilityCurve, factor: float) -> str:
 def write_pelicun(curves: Sequence[FragilityCurve], path: str | Path) -> None:
     """Write fragility curves as damage model parameters for pelicun.
 
-    The demand is that of the body's own floor (offset 0) in the direction of the shaking (directional). A
+    The demand is that of the body's own floor (offset 0). It is not directional: all measures are of both
+    horizontal components. Pelicun multiplies such demands by 1.2, unless its option
+    ``NonDirectionalMultipliers`` says ``{"ALL": 1.0}``, as it must here: a peak is the larger one already. A
     curve that no lognormal fits is written by its points (``multilinear_CDF``). That distribution must begin
     at 0 and end at 1: below the weakest level that was run it rises straight from no shaking (0), and above
     the strongest one everything falls.
