@@ -12,7 +12,7 @@ import stayput as sp
 from stayput.inventory.columns import COLUMNS, plain_name, read_columns
 from stayput.inventory.header import Header
 from stayput.inventory.plan import ROWS_LOOKED_AT
-from stayput.inventory.report import narrow_told
+from stayput.inventory.report import notes_told
 from stayput.model.body import FURNITURE
 from stayput.model.room import SURFACES
 from stayput.vocabulary import WORDS
@@ -99,7 +99,10 @@ def test_an_amount_with_its_sign_goes_with_decimal_commas(tmp_path):
 
 UNCLEAR = {
     "no unit": ("品名,奥行,高さ,重量\n棚,450,1800,60\n", "width=奥行[?],height=高さ[?],mass=重量[?]"),
-    "width and depth": ("id,width,depth,height,mass\na,0.9,0.3,1.8,80\n", "width=depth[?],ignore=width"),
+    "width and depth": (
+        "id,width,depth,height,mass\na,0.9,0.3,1.8,80\n",
+        "width=depth[?],ignore=width,height=height[?]",
+    ),
     "only the width": ("品名,幅(mm),高さ(mm),重量(kg)\n棚,450,1800,60\n", "width=?,ignore=幅(mm)"),
     "like a count": ("品名,配置台数合計\n本棚,3\n", "count=配置台数合計"),
     "counts by storey": ("品名,1F,2階\n本棚,3,4\n", "count=1F,count=2階"),
@@ -232,9 +235,10 @@ def test_pieces_narrower_than_deep_are_counted(tmp_path):
     text += "棚,30,450,1800,60\n棚,45,450,1800,60\n棚,?,450,1800,60\n棚,90,450,1800,60\n"
     *_, facts = read(tmp_path, text)
     assert facts["narrower than deep"] == 1
-    assert narrow_told(facts)[0].startswith("Narrower than deep: 1 row. They may fall sideways")
-    assert "奥行方向（前後）の揺れだけ" in narrow_told(facts)[1]
-    assert narrow_told({"narrower than deep": 0}) == ("", "")
+    ((english, japanese),) = notes_told(facts)
+    assert english.startswith("Narrower than deep: 1 row. They may fall sideways")
+    assert "奥行方向（前後）の揺れだけ" in japanese
+    assert notes_told(facts | {"narrower than deep": 0}) == []
 
 
 BAD_CELLS = {
@@ -266,7 +270,7 @@ def test_japanese_reasons_know_no_key_of_a_column(tmp_path, heading):
 @pytest.mark.parametrize("ending", ["toml", "json", "text", "mapping"])
 def test_a_mapping_says_which_column_is_which(tmp_path, ending):
     table = "名,a (mm),b,Gewicht,x\n棚,450,180,60,7\n"
-    mapping = {"name": "名", "width": "a (mm)", "height": "b[cm]", "mass": "Gewicht", "ignore": ["x"]}
+    mapping = {"name": "名", "width": "a (mm)", "height": "b[cm]", "mass": "Gewicht[kg]", "ignore": ["x"]}
     columns = mapping
     if ending == "toml":
         columns = tmp_path / "columns.toml"
@@ -276,7 +280,7 @@ def test_a_mapping_says_which_column_is_which(tmp_path, ending):
         columns = str(tmp_path / "columns.json")
         (tmp_path / "columns.json").write_text(json.dumps(mapping))
     elif ending == "text":
-        columns = "name=名,width=a (mm),height=b[cm],mass=Gewicht,ignore=x"
+        columns = "name=名,width=a (mm),height=b[cm],mass=Gewicht[kg],ignore=x"
     rows, _, (body,), facts = read(tmp_path, table, columns)
     assert sizes(body) == (0.45, 1.8, 60.0)
     assert rows[0]["id"] == "棚 #2"

@@ -61,6 +61,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "in_unit": (" in {unit}", "（単位は{unit}）"),
     "parts": ("parts", "要素"),
     "missing_number": ("numbers between all semicolons", "セミコロンで区切った数値"),
+    "without_mass": ("Its forces, or the motion of what is inside, depend on the mass, which must be given.",
+                     "力や収納物の動きは家具の重量によります。重量を指定してください。"),
     # rows
     "row": ("row {row}", "{row}行目"),
     "place_missing": ("given with stations or a shake map", "観測点や地震動マップを使うときは緯度と経度"),

@@ -59,10 +59,16 @@ TEXTS: dict[str, tuple[str, str]] = {
                 "assessed."),
                ("幅が奥行より小さい家具：{rows}。横に倒れることもありますが、"
                 "奥行方向（前後）の揺れだけを評価しています。")),
+    "without_mass": ("Without a mass: {rows}. It does not matter to how a free piece moves.",
+                     "重量のない家具：{rows}。固定していない家具の動きは重量によりません。"),
+    "fixed": ("Fixed already by {name}: {rows}. “Without a measure” means without a further one.",
+              "{name}ですでに固定してある家具：{rows}。「対策なし」は、ほかに追加しないという意味です。"),
     # Maps
     "map_without": ("Share that overturns, in per cent, without a measure", "転倒する割合（%）：対策なし"),
     "map_best": ("The same with the best measure on each piece that one clearly helps",
                  "転倒する割合（%）：効果を確認できた対策をとったとき"),
+    "map_same": ("As without: no measure lessens it by more than chance.",
+                 "対策なしと同じ（偶然の差を超えて転倒を減らす対策がないため）。"),
     "left_out": ("{buildings}, with fewer pieces expected to overturn, {verb} in summary.csv.",
                  "転倒の見込みがより少ない残りの建物（{buildings}）は、summary.csvにあります。"),
     "no_building": ("no building", "建物の指定なし"),

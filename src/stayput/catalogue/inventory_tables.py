@@ -23,6 +23,9 @@ TEXTS: dict[str, tuple[str, str]] = {
                         "names such as Depth (mm): rows above them must be removed."),
                        ("{row}行目に見出し（{found}など）があります。その上の行を削除するか1行にまとめ、"
                         "「奥行(mm)」のように列名を全部書いた見出しを1行目にしてください。")),
+    "buildings": (("The inventory is a table of buildings in Open Exposure Data ({columns}, …); it must have "
+                   "a row for each piece of furniture."),
+                  "Open Exposure Dataの建物の一覧です（{columns}など）。1行に家具1点の表にしてください。"),
     # what is unclear about columns
     "unclear": (('Not all columns are certain; they look like --columns "{proposal}", which must be '
                  "checked and given{fill} (width is the depth, from front to back): {doubts}."),
@@ -41,6 +44,12 @@ TEXTS: dict[str, tuple[str, str]] = {
                        ("{header}は壁に沿った寸法のようです。"
                         "転倒に関わる奥行の列がありません（奥行ならwidth=…）")),
     "doubt_twice": ("{first} and {header} are both the {name}", "{first}と{header}の両方が{name}です"),
+    "doubt_masses": (("{first} seems to be with what is inside, as the mass is, and {header} without (ignore "
+                      "{first} if it is of several pieces)"),
+                     ("{first}は収納物を含む重量（massはこちら）、{header}は家具だけの重量のようです"
+                      "（{first}が何点かの合計なら、そちらをignore）")),
+    "doubt_rack_units": ("{header} seems to be a height in rack units of 44.45 mm, without the frame",
+                         "{header}はラックユニット（1Uは44.45 mm、枠を含まない）の高さのようです"),
     "doubt_count": ("{header} seems to say how many pieces there are", "{header}は家具の数のようです"),
     "doubt_total": (("{header} may be of all pieces of a row, and stayput takes that of one (if it is "
                      "that: value=…)"),

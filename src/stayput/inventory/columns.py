@@ -23,11 +23,15 @@ from stayput.scenario.toml import read_toml
 
 
 class NumberUnit(NamedTuple):
-    """A unit of a column: a number in it times ``times`` and over ``over`` is in the column's own."""
+    """A unit of a column: a number in it times ``times`` and over ``over`` is in the column's own.
+
+    Of money, ``currency`` says which.
+    """
 
     name: str
     times: float = 1.0
     over: float = 1.0
+    currency: str = ""
 
 
 class Column(NamedTuple):
@@ -36,6 +40,9 @@ class Column(NamedTuple):
     unit: str = ""
     aliases: tuple[str, ...] = ()
 
+
+TOTAL_MASSES = ("total weight", "total mass", "gross weight", "gross mass", "総重量", "総質量")
+"""Masses that may be with what is inside, or of all pieces of a row."""
 
 # fmt: off
 COLUMNS: dict[str, Column] = {
@@ -49,9 +56,9 @@ COLUMNS: dict[str, Column] = {
         "品名", "名称", "物品名", "家具", "家具名", "備品名", "什器名", "種類", "種別", "家具の種類",
     )),
     "preset": Column("", ("プリセット",)),
-    "width": Column("m", ("depth", "d", "奥行", "奥行き", "奥行寸法")),
-    "height": Column("m", ("h", "高さ", "高", "全高", "高さ寸法")),
-    "mass": Column("kg", ("weight", "wt", "重量", "質量", "重さ", "総重量", "製品重量", "本体重量")),
+    "width": Column("m", ("depth", "d", "outer depth", "奥行", "奥行き", "奥行寸法")),
+    "height": Column("m", ("h", "outer height", "高さ", "高", "全高", "高さ寸法")),
+    "mass": Column("kg", ("weight", "wt", "重量", "質量", "重さ", "製品重量", "本体重量", *TOTAL_MASSES)),
     "cg_offset": Column("m"),
     "load": Column("kg"),
     "contents": Column("", ("収納物", "内容物")),
@@ -69,6 +76,10 @@ COLUMNS: dict[str, Column] = {
     )),
     "storey": Column("", (
         "story", "level", "lvl", "floor level", "floor no", "floor number", "階", "設置階", "フロア", "階層",
+    )),
+    "fixed": Column("", (
+        "anchored", "anchorage", "secured", "fixing",
+        "固定", "固定状況", "固定の有無", "固定方法", "耐震固定", "転倒防止", "転倒防止対策", "耐震対策",
     )),
     "measures": Column(),
     "costs": Column("currency"),
@@ -89,7 +100,7 @@ COLUMNS: dict[str, Column] = {
 LISTS = ("cg_offset", "load", "costs", "floor")
 """Columns whose cells hold numbers with semicolons between them."""
 
-WIDTHS = ("width", "w", "幅", "巾", "横幅", "間口", "幅寸法")
+WIDTHS = ("width", "w", "outer width", "幅", "巾", "横幅", "間口", "幅寸法")
 """What inventories call the size along the wall where nothing else can be meant."""
 
 ALONG_THE_WALL = (*WIDTHS, "length", "l", "長さ")
@@ -98,8 +109,14 @@ ALONG_THE_WALL = (*WIDTHS, "length", "l", "長さ")
 TOTALS = ("total price", "total value", "金額", "取得金額", "合計金額", "総額")
 """Columns that may hold the value of all pieces of a row."""
 
+RACK_UNITS = ("u height", "height u", "rack units", "rack height", "u数", "ユニット数")
+"""What tables of racks call a height in rack units."""
+
+OPEN_EXPOSURE_DATA = ("accnumber", "locnumber", "buildingtiv", "contentstiv", "occupancycode")
+"""Columns of a table of buildings in Open Exposure Data."""
+
 LOOKS_LIKE_COUNT = re.compile(
-    r"(?:.*\b)?(?:qty|quant\w*|counts?|pcs|pieces|units|number of \w+|no of \w+|how many)\b.*"
+    r"(?:.*\b)?(?:qty|quant\w*|counts?|pcs|pieces|(?<!desc )units|number of \w+|no of \w+|how many)\b.*"
     r"|number|amount|(?:grand )?total|qn?t|qnty|cnt|amt|nb|items|sets|(?:.*\b)?on hand|multiplier|repli\w+"
     r"|(?:.*\b)?(?:copies|ea|each|nos|q'?ty)|num(?: .*)?|(?:(?:in|current|total) )?stock(?: on hand)?"
     r"|anzahl|menge|stück(?:zahl)?|stk|nombre|cantidad"
@@ -128,6 +145,7 @@ UNITS: dict[str, dict[str, NumberUnit]] = {
             ("m", "metre", "metres", "meter", "meters", "メートル"): NumberUnit("m"),
             ("in", "inch", "inches", '"', "インチ"): NumberUnit("in", 254.0, 10_000.0),
             ("ft", "foot", "feet"): NumberUnit("ft", 3048.0, 10_000.0),
+            ("u", "ru"): NumberUnit("U", 4445.0, 100_000.0),  # of racks (IEC 60297)
         },
         "kg": {
             ("kg", "kgs", "キロ", "キログラム"): NumberUnit("kg"),
@@ -136,9 +154,11 @@ UNITS: dict[str, dict[str, NumberUnit]] = {
             ("lb", "lbs", "pound", "pounds", "ポンド"): NumberUnit("lb", 45_359_237.0, 100_000_000.0),
         },
         "currency": {
-            ("円", "yen", "jpy", "¥", "usd", "$", "us$", "dollars", "eur", "€", "euro"): NumberUnit(""),
-            ("千円",): NumberUnit("千円", 1000.0),
-            ("万円",): NumberUnit("万円", 10_000.0),
+            ("円", "yen", "jpy", "¥"): NumberUnit("JPY", currency="JPY"),
+            ("usd", "$", "us$", "dollars"): NumberUnit("USD", currency="USD"),
+            ("eur", "€", "euro"): NumberUnit("EUR", currency="EUR"),
+            ("千円",): NumberUnit("千円", 1000.0, currency="JPY"),
+            ("万円",): NumberUnit("万円", 10_000.0, currency="JPY"),
         },
         "°": {("°", "deg", "degrees", "度"): NumberUnit("°")},
     }.items()
@@ -292,7 +312,7 @@ def _find(name: str, header: str, names: Sequence[str]) -> tuple[int, NumberUnit
     units = UNITS.get(COLUMNS[name].unit, {}) if name in COLUMNS else {}
     place = _place(header, names)
     if place is not None:
-        return place, units.get(header_name(header).unit)
+        return place, units.get(header_name(names[place]).unit)
     matched = _UNIT.fullmatch(header.strip())
     place = None if matched is None else _place(matched[1], names)
     if matched is None or place is None:

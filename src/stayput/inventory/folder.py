@@ -20,7 +20,7 @@ import stayput
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, not_allowed, reason_of
 
-FORMAT = 10
+FORMAT = 11
 """Changes with the files' layout or meaning."""
 
 MANIFEST, WORK, LOCK = "manifest.json", "work", ".lock"

@@ -70,18 +70,17 @@ class Header:
         decimal_comma: bool = False,
     ) -> None:
         self.names = names = [cell.strip() if isinstance(cell, str) else "" for cell in cells]
-        self.sample, self.mapping, self.decimal_comma = (
-            sample,
-            mapping or column.ColumnMapping(),
-            decimal_comma,
-        )
+        self.sample, self.decimal_comma = sample, decimal_comma
+        self.mapping = mapping or column.ColumnMapping()
         _refuse_headings_elsewhere(names, sample)
+        _refuse_buildings(names)
         self.parts = [column.header_name(name) for name in names]
         mapped, self.ignored = self.mapping.places(names)
         self.places = {name: place for name, (place, _) in mapped.items()}
         self.units: dict[str, column.NumberUnit | None] = {name: unit for name, (_, unit) in mapped.items()}
         self.mapped = frozenset(self.places.values())
         self.in_own_units: set[str] = set()
+        self.without_unit: set[str] = set()
         self.doubts: list[tuple[Phrase, str]] = []  # each with the part of --columns that would settle it
         self.unused: list[str] = [names[place][:200] for place in sorted(self.ignored)]
         taken = {*self.mapped, *self.ignored}
@@ -91,6 +90,7 @@ class Header:
                 raise InputError("common.twice", name, name=reading.shown(name))
         self._take_known()
         self._take_rest()
+        self._ask_for_units()
         self._refuse_what_is_unclear()
         self.places = {name: self.places[name] for name in column.COLUMNS if name in self.places}
         self.called = {n: names[place] for n, place in self.places.items() if names[place].lower() != n}
@@ -152,7 +152,11 @@ class Header:
             if name in column.COLUMNS and name not in self.places:
                 self.places[name], self.units[name] = place, None
                 self.free.remove(place)
-        for place in list(self.free):
+        for name, place in list(self.places.items()):
+            kind = column.COLUMNS[name].unit
+            if self.units[name] is None and kind in ("m", "kg") and self.names[place].lower() != name:
+                self._ask_for_unit(name, place)
+        for place in sorted(self.free, key=lambda place: self.parts[place].base not in column.TOTAL_MASSES):
             part, name = self.parts[place], self.parts[place].column
             if part.base in column.ALONG_THE_WALL or name is None:
                 continue
@@ -171,6 +175,10 @@ class Header:
         if name == "width" and self.names[first].lower() == name and self.units[name] is None:
             settled = f"{self._proposed('width', place)},{column.IGNORE}={self.names[first]}"
             self._doubt("width", place, settled, width=reading.shown(self.names[first]))
+            if not _is_own(column.UNITS["m"].get(self.parts[place].unit)):
+                self.without_unit.add(name)
+        elif self.parts[first].base in column.TOTAL_MASSES:
+            self._doubt("masses", place, first=reading.shown(self.names[first]))
         elif name == "value" and first_total:
             self.unused.append(self.names[first][:200])
             self._take(name, place)
@@ -182,14 +190,35 @@ class Header:
     def _take(self, name: str, place: int) -> None:
         kind, written = column.COLUMNS[name].unit, self.parts[place].unit
         self.places[name], self.units[name] = place, column.UNITS.get(kind, {}).get(written)
-        if self.units[name] is not None or not (written or kind in ("m", "kg")):
-            return
-        cells = self._column(place)
-        bare = not written and all(reading.number_or_none(cell) is None for cell in cells)
+        if self.units[name] is None and (written or kind in ("m", "kg")):
+            self._ask_for_unit(name, place)
+
+    def _ask_for_unit(self, name: str, place: int) -> None:
+        """Doubt a column without a known unit, unless its cells have units of their own."""
+        cells, kind = self._column(place), column.COLUMNS[name].unit
+        bare = not self.parts[place].unit and all(reading.number_or_none(cell) is None for cell in cells)
         if bare and any(reading.in_own_unit(cell, kind) for cell in cells):
             self.in_own_units.add(name)
         else:
-            self._doubt("unit", place, self._proposed(name, place))
+            self.without_unit.add(name)
+            self._doubt("unit", place, f"{name}={self.names[place]}[?]")
+
+    def _ask_for_units(self) -> None:
+        """Doubt stayput's own columns without a unit where others of their kind have or lack another one.
+
+        In a table in cm a bare height is hardly one in m.
+        """
+        along = [
+            column.UNITS["m"].get(part.unit) for part in self.parts if part.base in column.ALONG_THE_WALL
+        ]
+        asked = self.in_own_units | self.without_unit
+        for kind in ("m", "kg", "currency"):
+            names = [name for name in self.places if column.COLUMNS[name].unit == kind]
+            stated = [self.units[name] for name in names] + (along if kind == "m" else [])
+            if asked.intersection(names) or not all(unit is None or _is_own(unit) for unit in stated):
+                for name in names:
+                    if self.units[name] is None and name not in asked:
+                        self._ask_for_unit(name, self.places[name])
 
     def _take_rest(self) -> None:
         """Look at what is left: doubtful where it would change a result, else not used."""
@@ -197,7 +226,9 @@ class Header:
         for place in self.free:
             base, unit, header = self.parts[place].base, self.parts[place].unit, self.names[place]
             across = base in column.ALONG_THE_WALL
-            if across and "width" not in self.places:
+            if base in column.RACK_UNITS and "height" not in self.places:
+                self._doubt("rack_units", place, f"height={header}[U]")
+            elif across and "width" not in self.places:
                 self._doubt("no_depth", place, f"width=?,{column.IGNORE}={header}")
             elif not across and column.LOOKS_LIKE_COUNT.fullmatch(base) and "count" not in self.places:
                 self._doubt("count", place, f"count={header}")
@@ -286,6 +317,18 @@ def _headings_in(row: Sequence[reading.Cell]) -> list[str]:
     filled = [cell for cell in row if not reading.is_empty(cell)]
     headings = [cell for cell in filled if isinstance(cell, str) and column.is_heading(cell)]
     return headings if len(headings) > 1 and 2 * len(headings) >= len(filled) else []
+
+
+def _is_own(unit: column.NumberUnit | None) -> bool:
+    """Return whether a unit is known, and as large as stayput's own."""
+    return unit is not None and unit.times == unit.over
+
+
+def _refuse_buildings(names: Sequence[str]) -> None:
+    """Refuse a table of buildings in Open Exposure Data."""
+    known = [name for name in names if name.lower() in column.OPEN_EXPOSURE_DATA]
+    if len(known) > 2:
+        raise InputError("inventory_tables.buildings", "inventory", columns=", ".join(known[:SHOWN]))
 
 
 def _refuse_headings_elsewhere(names: Sequence[str], sample: Sequence[Sequence[reading.Cell]]) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Hashable, Mapping
 from copy import copy
 from dataclasses import dataclass, replace
@@ -36,6 +37,7 @@ from stayput.model.state import State, refuse_bad_start
 from stayput.saved import to_text
 from stayput.scenario import Scenario
 from stayput.scenario.pieces import PieceTable
+from stayput.vocabulary import plain_word
 
 if TYPE_CHECKING:
     from stayput.model.body import Body
@@ -51,7 +53,7 @@ DEEPEST = 9
 """Lowest basement that there may be."""
 
 OF_THE_BODY = ("preset", "width", "height", "mass", "cg_offset", "load")
-OF_THE_ROOM = ("floor", "gap", "wall", "measures")
+OF_THE_ROOM = ("floor", "gap", "wall", "fixed", "measures")
 SIZES = {"width": (0.01, 10.0, "m"), "height": (0.01, 10.0, "m"), "mass": (0.1, 50_000.0, "kg")}
 """What a piece of an inventory may have; beyond, its numbers are in another unit than is stated."""
 
@@ -59,6 +61,30 @@ OF_THE_CONTENTS = ("contents", "doors", "drawers", "lip", "load")
 
 NO_MEASURE = NOTHING = "none"
 """What a row says of a piece without a measure, or with nothing inside where the scenario has contents."""
+
+FIXINGS: dict[str, str] = {
+    **{plain_word(word): kind for kind, measure in MEASURES.items() for word in (kind, *measure.label)},
+    **dict.fromkeys((NO_MEASURE, "no", "unfixed", "not fixed", "unanchored", "free", "false"), NO_MEASURE),
+    **dict.fromkeys(("なし", "無し", "無", "未", "未固定", "未実施", "未対策", "×"), NO_MEASURE),
+    **dict.fromkeys(("bracket", "brackets", "l-bracket", "l字金具", "l字型金具", "l型金具"), "l_bracket"),
+    **dict.fromkeys(("strap", "straps", "ベルト"), "belt"),
+    **dict.fromkeys(("突っ張り棒", "突張り棒", "つっぱり棒", "ポール"), "tension_pole"),
+    **dict.fromkeys(("粘着マット", "耐震マット", "ジェルマット"), "gel_mats"),
+    **dict.fromkeys(("ストッパー", "転倒防止板"), "wedge_stopper"),
+    "チェーン": "chain",
+}
+"""What fixes a piece, by what tables call it, each as `plain_word` gives it."""
+
+WALL_WORDS = {
+    **dict.fromkeys(("間柱", "柱", "下地あり"), "stud"),
+    **dict.fromkeys(("石こうボード", "石膏ボード", "下地なし", "gypsum board", "drywall"), "plasterboard"),
+    **dict.fromkeys(("コンクリート",), "concrete"),
+    **dict.fromkeys(("付け鴨居", "長押"), "hanging strip"),
+}
+"""Constructions of walls, by what tables call them."""
+
+ANY_MASS = 100.0
+"""Mass of a piece whose row has none [kg]: how it moves alone does not depend on it."""
 
 LONGEST_NAME = 100
 """Letters of what a piece is called that are kept."""
@@ -146,14 +172,17 @@ class RowReader:
         if (lat is None) != (lon is None):
             name, other = ("lat", "lon") if lat is None else ("lon", "lat")
             raise InputError("scenario.needs_both", name, name=other, other=name)
+        weighed = not is_empty(cells.get("mass")) or not is_empty(cells.get("preset"))
+        if not weighed and is_empty(cells.get("load")):
+            cells = {**cells, "mass": ANY_MASS}
         body = self.bodies.result(_values(cells, OF_THE_BODY), partial(body_of, cells))
         costs = numbers_of("costs", cells.get("costs"))
         about = {"row": row, "id": piece, "name": name_of(cells.get("name")), "count": count}
-        about |= {"value": value, "lat": lat, "lon": lon}
+        about |= {"value": value, "lat": lat, "lon": lon, "weighed": weighed}
         exposures: list[Exposure] = []
         for event, station, level in self.scenarios.events_at(lat, lon):
             label, building, storey = self._building(cells, station)
-            spec, options, not_possible = self._room(cells, body, station)
+            spec, options, not_possible, fixed = self._room(cells, body, station, weighed)
             if costs and len(costs) != len(options) - 1:
                 due = phrase("common.so_many_numbers", count=len(options) - 1)
                 raise not_allowed("costs", shown(cells.get("costs")), due, "costs")
@@ -167,6 +196,7 @@ class RowReader:
                 "shaking_scatter": None if level is None else level.scatter,
                 "building": label,
                 "storey": None if label is None else storey,
+                "fixed": fixed,
                 "options": [names[n] for n in possible],
                 "costs": [costs[n - 1] for n in possible[1:]] if costs and possible[1:] else None,
                 "not_possible": [
@@ -184,27 +214,40 @@ class RowReader:
         return exposures
 
     def _room(
-        self, cells: Mapping[str, Cell], body: Body, station: int
-    ) -> tuple[str, dict[str, str], dict[str, Phrase]]:
-        """Return the piece's spec in its room, those of the options, and reasons against the impossible."""
+        self, cells: Mapping[str, Cell], body: Body, station: int, weighed: bool
+    ) -> tuple[str, dict[str, str], dict[str, Phrase], str | None]:
+        """Return the piece's spec in its room, those of the options, reasons against some, and its fixing.
+
+        Every option is added to what fixes the piece already. Without a mass only those are possible whose
+        forces do not depend on it.
+        """
         scenario = self.scenarios.all[station].scenario
 
-        def make() -> tuple[str, dict[str, str], dict[str, Phrase]]:
+        def make() -> tuple[str, dict[str, str], dict[str, Phrase], str | None]:
             room = room_of(cells, scenario)
             refuse_bad_start(body, room, State())
-            options = options_of(cells, scenario)
+            options, fixed = options_of(cells, scenario), fixing_of(cells, scenario)
             not_possible: dict[str, Phrase] = {}
             for name, measures in options.items():
                 refuse_conflicts(measures)
                 try:
-                    hold(body, room, measures)
+                    refuse_conflicts((*fixed, *measures))
+                    held = hold(body, room, _ordered((*fixed, *measures)))
+                    if not weighed and (held.elements or held.body != body):
+                        raise InputError("inventory.without_mass", "mass")
                 except InputError as error:  # no wall behind, no ceiling, an anchor above the ceiling
+                    if name == NO_MEASURE:
+                        raise error.about("fixed" if weighed else "mass") from None
                     not_possible[name] = error.told("en"), error.told("ja")
             contents = contents_of(cells, body, scenario)
-            specs = {name: to_text(list(measures)) for name, measures in options.items()}
-            return to_text((body, room, contents)), specs, not_possible
+            if contents is not None and not weighed:
+                raise InputError("inventory.without_mass", "mass")
+            specs = {name: to_text(list(_ordered((*fixed, *each)))) for name, each in options.items()}
+            called = "+".join(measure.kind for measure in fixed) or None
+            return to_text((body, room, contents)), specs, not_possible, called
 
-        return self.rooms.result((station, body, _values(cells, (*OF_THE_ROOM, *OF_THE_CONTENTS))), make)
+        key = station, body, weighed, _values(cells, (*OF_THE_ROOM, *OF_THE_CONTENTS))
+        return self.rooms.result(key, make)
 
     def _building(
         self, cells: Mapping[str, Cell], station: int
@@ -304,10 +347,12 @@ def room_of(cells: Mapping[str, Cell], scenario: Scenario) -> Room:
             raise error.about("floor") from None
     if gap is not None:
         room = replace(room, left_wall=replace(room.left_wall or Wall(0.0), gap=gap))
-    wall = text_of("wall", cells.get("wall"))
-    if wall is not None:
+    stated = text_of("wall", cells.get("wall"))
+    if stated is not None:
+        wall = WALL_WORDS.get(plain_word(stated), stated)
         if wall not in WALLS:
-            raise unknown("wall", wall, WALLS, "wall")
+            japanese = ", ".join(map(repr, WALL_WORDS))
+            raise unknown("wall", stated, WALLS, "wall", listed=(", ".join(map(repr, WALLS)), japanese))
         if room.left_wall is None:
             raise InputError("scenario.needs_both", "wall", other="gap")
         room = replace(room, left_wall=replace(room.left_wall, construction=wall))
@@ -370,6 +415,29 @@ def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> dict[str, tuple
             raise InputError("common.twice", "measures", name=shown(together))
         options[together] = _ordered(measures)
     return options
+
+
+def fixing_of(cells: Mapping[str, Cell], scenario: Scenario) -> tuple[Measure, ...]:
+    """Return the measures that fix a row's piece already; none where it stands free, or nothing is said.
+
+    Raises
+    ------
+    InputError
+        It is fixed, and how is not known.
+    """
+    text = text_of("fixed", cells.get("fixed")) or NO_MEASURE
+    known = {kind: (measure(),) for kind, measure in MEASURES.items()} | {NO_MEASURE: ()}
+    named = {measure_set.name: measure_set.measures for measure_set in scenario.options}
+    measures: tuple[Measure, ...] = ()
+    for part in map(str.strip, re.split("[+＋、;]", text)):
+        kind = part if part in named else FIXINGS.get(plain_word(part))
+        if kind is None or (kind == NO_MEASURE and part != text):
+            labels = ", ".join(repr(measure.label[1]) for measure in MEASURES.values())
+            listed = ", ".join(map(repr, known)), f"'なし', {labels}"
+            raise unknown("fixed", text, known, "fixed", listed=listed)
+        measures += (known | named)[kind]
+    refuse_conflicts(measures)
+    return measures
 
 
 def _ordered(measures: tuple[Measure, ...]) -> tuple[Measure, ...]:

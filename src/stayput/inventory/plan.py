@@ -40,7 +40,7 @@ MAY_BE_EMPTY = ("id", *SIZES, "count")
 
 COUNTED = (
     *("rows", "empty rows", "rejects", "pieces", "choices", "parts"),
-    *("with coordinates", "narrower than deep"),
+    *("with coordinates", "narrower than deep", "without mass"),
 )
 """What is counted in a plan, as its facts name it."""
 
@@ -111,7 +111,7 @@ def make_plan(
     if path.exists():
         with suppress(sqlite3.DatabaseError), closing(Store(path)) as store:  # of a damaged one
             return store.facts()
-    reader, impossible, rejects = RowReader(scenarios), Findings(), Findings()
+    reader, impossible, rejects, fixed = RowReader(scenarios), Findings(), Findings(), Findings()
     counts, left_empty = Counter[str](), Counter[str]()
     buffered: list[dict[str, Any]] = []
 
@@ -160,6 +160,9 @@ def make_plan(
             counts["pieces"] += 1
             counts["with coordinates"] += piece["lat"] is not None
             counts["narrower than deep"] += width is not None and 0.0 < width < depth
+            counts["without mass"] += not piece["weighed"]
+            if piece["fixed"] is not None:
+                fixed.add((number, piece["id"], piece["name"], None, None), piece["fixed"])
             places = ((name, header.places.get(name)) for name in MAY_BE_EMPTY)
             left_empty.update(n for n, place in places if place is not None and is_empty(cells[place]))
             if counts["pieces"] % ROWS_PER_PART == 0:
@@ -167,12 +170,15 @@ def make_plan(
         flush()
         if counts["rows"] == counts["empty rows"]:
             raise not_allowed("inventory.the_file", inventory, "inventory.no_rows", "inventory")
+        left_empty -= Counter({"mass": counts["without mass"]})  # which no preset has
         store.finish(
             {
                 **{name: counts[name] for name in COUNTED},
                 "empty cells": {header.called.get(name, name): left_empty[name] for name in left_empty},
                 "rejects alike": rejects.told(),
                 "measures not possible": impossible.told(),
+                "fixed": fixed.told(),
+                "currency": unit.currency if (unit := header.units.get("value")) else "",
                 "units": store.next_unit,
                 "read as": table.read_as,
                 "columns not used": header.unused,

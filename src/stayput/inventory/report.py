@@ -73,12 +73,6 @@ def rows_counted(number: int) -> Phrase:
     return counted_phrase(number, "row", "行")
 
 
-def narrow_told(facts: Mapping[str, Any]) -> Phrase:
-    """Return how many rows are narrower than deep; empty where none is."""
-    narrow = facts["narrower than deep"]
-    return tell("narrow", rows=rows_counted(narrow)) if narrow else NOTHING
-
-
 def empty_told(facts: Mapping[str, Any]) -> Phrase:
     """Return in which columns cells are empty, and what holds there; empty where none is."""
     empty = facts["empty cells"].items()
@@ -104,9 +98,17 @@ def reason_told(finding: Mapping[str, Any]) -> Phrase:
     return reason if finding["same"] else tell("such_as", reason=reason)
 
 
-def impossible_told(facts: Mapping[str, Any]) -> list[Phrase]:
-    """Return which sets of measures cannot be put in place, in which rows, and why."""
-    key, findings = "not_possible", facts["measures not possible"]
+def notes_told(facts: Mapping[str, Any]) -> list[Phrase]:
+    """Return what is special about some rows: their shape, mass and fixing, and measures not possible."""
+    counts = {"narrow": facts["narrower than deep"], "without_mass": facts["without mass"]}
+    notes = [tell(key, rows=rows_counted(rows)) for key, rows in counts.items() if rows]
+    return (
+        notes + each_told("fixed", facts["fixed"]) + each_told("not_possible", facts["measures not possible"])
+    )
+
+
+def each_told(key: str, findings: Sequence[Mapping[str, Any]]) -> list[Phrase]:
+    """Return a text for each finding, with its rows, its reason and the measures that it is about."""
     return [
         tell(key, name=measures_named(each["about"]), rows=rows_told(each), reason=reason_told(each))
         for each in findings
@@ -131,9 +133,9 @@ def share_of(total: Total, which: str) -> Phrase:
     return interval_told(lambda end: total.share(f"{which}{end}"))
 
 
-def amount(value: float | None) -> str:
-    """Return an amount of money; empty where there is none."""
-    return "" if value is None else f"{value:,.0f}"
+def amount(value: float | None, currency: str) -> str:
+    """Return an amount of money in a currency, "" where it is not known; empty where there is none."""
+    return "" if value is None else f"{value:,.0f} {currency}".rstrip()
 
 
 def measures_named(name: str) -> Phrase:
@@ -184,11 +186,12 @@ def findings_told(total: Total) -> Phrase:
     return in_one(sentences)
 
 
-def further(total: Total) -> Phrase:
+def further(total: Total, currency: str) -> Phrase:
     """Return what else is known of the pieces: what helps, the loss, what comes out, what is unknown."""
     sentences = [findings_told(total)]
     if total.loss is not None:
-        sentences.append(tell("expected_loss", loss=amount(total.loss), best=amount(total.loss_best)))
+        loss, best = (amount(value, currency) for value in (total.loss, total.loss_best))
+        sentences.append(tell("expected_loss", loss=loss, best=best))
     sentences.append(inside_told(total))
     if total.unknown:
         sentences.append(tell("nothing_known", pieces=pieces_counted(total.unknown)))
@@ -265,11 +268,7 @@ def printed_lines(
     lines = [tell("in_plane"), read, *_columns_told(facts)]
     if facts["rejects"]:
         lines.append(tell("printed_rejects", rows=rows_counted(facts["rejects"])))
-    lines += (
-        tell("reason_of_rows", rows=rows_told(finding), reason=reason_told(finding))
-        for finding in facts["rejects alike"]
-    )
-    lines.append(empty_told(facts))
+    lines += [*each_told("reason_of_rows", facts["rejects alike"]), empty_told(facts)]
     without = facts["pieces"] - facts["with coordinates"]
     if without and (on_map or without < facts["pieces"]):
         lines.append(tell("without_coordinates", pieces=pieces_counted(without)))
@@ -279,7 +278,7 @@ def printed_lines(
     for name, total in events.items():
         lines.append(tell("of_event", event=name, expected=expected(total)))
         lines += findings_told(total), inside_told(total)
-    lines += [narrow_told(facts), *impossible_told(facts)]
+    lines += notes_told(facts)
     return [line for line in lines if line != NOTHING]
 
 
@@ -402,13 +401,12 @@ def report_html(
     rows = rows_counted(facts["rows"] - facts["empty rows"])
     shares = [(share_told(share), colour(share)) for share in (0.0, 0.25, 0.5, 0.75, 1.0)]
     content = {
-        "maps": [_map(event, summary, roofs) for event in summary.events],
-        "narrow": narrow_told(facts),
+        "maps": [_map(event, summary, roofs, facts["currency"]) for event in summary.events],
         "several": len(summary.events) > 1,
-        "worst": [_piece(row, roofs) for row in summary.worst],
+        "worst": [_piece(row, roofs, facts["currency"]) for row in summary.worst],
         "contents": contents,
         "by_cost": any(row["best_by_cost"] is not None for row in summary.worst),
-        "impossible": impossible_told(facts),
+        "notes": notes_told(facts),
         "rejects": [
             {
                 "rows": rows_told(finding),
@@ -426,23 +424,24 @@ def report_html(
     return rendered("inventory/inventory.html", head | in_language(content, language))
 
 
-def _map(event: str, summary: Summary, roofs: Mapping[str, int]) -> dict[str, Any]:
+def _map(event: str, summary: Summary, roofs: Mapping[str, int], currency: str) -> dict[str, Any]:
     totals = {(b, s): total for (e, b, s), total in summary.places.items() if e == event}
     total, buildings = summary.events[event], len({building for building, _ in totals})
     left_out = buildings - MOST_BUILDINGS
     more = counted_phrase(left_out, "more building", "棟")
     verb = ("is" if left_out == 1 else "are", "")
+    without, best = storey_map(totals, False, roofs), storey_map(totals, True, roofs)
     return {
         "event": event,
         "expected": expected(total),
-        "more": further(total),
+        "more": further(total, currency),
         "left_out": tell("left_out", buildings=more, verb=verb) if left_out > 0 else "",
-        "without": storey_map(totals, False, roofs),
-        "best": storey_map(totals, True, roofs),
+        "without": without,
+        "best": best if best != without else None,
     }
 
 
-def _piece(row: Mapping[str, Any], roofs: Mapping[str, int]) -> dict[str, Any]:
+def _piece(row: Mapping[str, Any], roofs: Mapping[str, int], currency: str) -> dict[str, Any]:
     """Return the cells of a piece at risk."""
     helped, best = row["best"] != NO_MEASURE, measures_named(row["best"])
     by_cost, storey, lessens = row["best_by_cost"], row["storey"], row["best_lessens"]
@@ -451,6 +450,7 @@ def _piece(row: Mapping[str, Any], roofs: Mapping[str, int]) -> dict[str, Any]:
     return {
         **{key: row[key] for key in ("row", "event", "count")},
         "piece": _called(row),
+        "fixed": measures_named(row["fixed"] or ""),
         "building": named(row["building"] or ""),
         "storey": _floor(storey, roofs.get(row["building"]) == storey) if storey else "",
         "overturned": interval_told(lambda end: row[f"overturned{end}"]),
@@ -459,7 +459,7 @@ def _piece(row: Mapping[str, Any], roofs: Mapping[str, int]) -> dict[str, Any]:
         "best_overturned": interval_told(lambda end: row[f"best_overturned{end}"]) if helped else "",
         "best_out": share_told(row["best_contents_out_share"]) if helped else "",
         "best_by_cost": tell("not_worth") if by_cost == NO_MEASURE else measures_named(by_cost or ""),
-        "loss": amount(row["expected_loss"]),
+        "loss": amount(row["expected_loss"], currency),
     }
 
 

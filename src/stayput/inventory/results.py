@@ -115,6 +115,7 @@ def schema(metadata: Mapping[str, str]) -> Any:
         number("lon", "longitude [°]"),
         number("count", "pieces of this kind", pa.int32()),
         number("value", "loss if one of them overturns"),
+        number("fixed", "measures that fix it already, in every set; null where none do", pa.string()),
         number("motions", "motions", pa.int32()),
         number("runs", "simulations without a measure that were not given up", pa.int32()),
         number("given_up", "simulations that were given up", pa.int32()),
@@ -345,11 +346,10 @@ def _line(row: dict[str, Any], choice: Choice, numbers: list[dict[str, Any]]) ->
 def numbers_of(record: np.void) -> dict[str, Any]:
     """Return the numbers of an option by their columns."""
     out = [None] * 3 if np.isnan(record["out"][0]) else record["out"].tolist()
+    numbers = *record["chances"].ravel().tolist(), *record["slide"].tolist(), *out
     return {
         "motions": int(record["motions"]),
         "runs": int(record["runs"]),
         "given_up": int(record["missing"]),
-        **dict(
-            zip(_NUMBERS, [*record["chances"].ravel().tolist(), *record["slide"].tolist(), *out], strict=True)
-        ),
+        **dict(zip(_NUMBERS, numbers, strict=True)),
     }

@@ -39,7 +39,8 @@ _KINDS = {"event": "string", "building": "string", "storey": "int32", "rows": "i
 """Types of the first columns of the summary; those that count pieces are whole too, all others are not."""
 
 READ = (
-    *("row", "id", "name", "event", "building", "storey", "count", "best", "best_lessens", "finding"),
+    *("row", "id", "name", "event", "building", "storey", "count", "fixed"),
+    *("best", "best_lessens", "finding"),
     *(f"{which}overturned{end}" for which in ("", "best_") for end in ENDS),
     *("best_by_cost", "expected_loss", "best_expected_loss", "contents_out_share", "best_contents_out_share"),
 )
@@ -175,11 +176,8 @@ def summarise(folder: Path) -> Summary:
     heap: list[tuple[tuple[float, float, float, int], int, dict[str, Any]]] = []
     for number, row in enumerate(_rows(folder, READ)):
         place = row["event"], row["building"] or "", row["storey"] or 0
-        for total in (
-            summary.places.setdefault(place, Total()),
-            summary.events.setdefault(row["event"], Total()),
-        ):
-            total.add(row)
+        summary.places.setdefault(place, Total()).add(row)
+        summary.events.setdefault(row["event"], Total()).add(row)
         if row["finding"] is not None:
             risk = row["expected_loss"] or 0.0, row["overturned"], row["overturned_high"]
             entry = ((*risk, -number), number, row)

@@ -213,12 +213,8 @@ def _csv_rows(reader: Any) -> Iterator[TableRow]:
         except csv.Error as error:
             if "unexpected end" in str(error) or "field limit" in str(error):
                 raise InputError("inventory.open_quote", row=number, line=line, most=LARGEST_CELL) from None
-            yield (
-                number,
-                InputError(
-                    "common.unreadable", file=phrase("inventory.a_row"), reason=str(error).rstrip(".")
-                ),
-            )
+            reason = str(error).rstrip(".")
+            yield number, InputError("common.unreadable", file=phrase("inventory.a_row"), reason=reason)
             continue
         yield number, cast("list[Cell]", row)
 
