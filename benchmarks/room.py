@@ -27,7 +27,7 @@ from stayput.simulation.space import results_of
 from stayput.simulation.space_engine import STEP
 from stayput.verification.changes import Change, refuse_unheld, with_changes
 from stayput.verification.contest import Contest
-from stayput.verification.search import TRIED
+from stayput.verification.options import TRIED_ALONE
 
 if TYPE_CHECKING:
     from stayput.scenario.measures import Option
@@ -90,7 +90,7 @@ def held() -> Table:
         table.add_column(heading, justify="right")
     for body, name in enumerate(room.names):
         spent: list[float] = []
-        for kind in ("", *TRIED):
+        for kind in ("", *TRIED_ALONE):
             changes = [Change(name, MEASURES[kind]())] if kind else []
             option = with_changes(room.stated, changes, room.names)
             if kind:

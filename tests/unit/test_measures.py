@@ -1,7 +1,9 @@
 """Measures: their parameters, what they make of a body and its room, and what they refuse."""
 
 import math
+import re
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,6 +20,7 @@ from stayput.measures import (
     LBracket,
     LBracketInBoard,
     LowerShelves,
+    Measure,
     TensionPole,
     WedgeStopper,
     element_rows,
@@ -309,3 +312,23 @@ def test_a_belt_is_drawn_as_long_as_it_is():
     held = hold(BODY, ROOM, [Belt()])
     (belt,) = sketch(held)
     assert math.dist(*belt.points) == pytest.approx(element_rows(held)[0]["length"])
+
+
+@pytest.mark.parametrize("kind", MEASURES)
+def test_a_measure_says_of_itself_what_plans_and_drawings_need(kind):
+    measure = MEASURES[kind]
+    of_its_own = {name for base in measure.__mro__ if base not in Measure.__mro__ for name in vars(base)}
+    assert "cost_class" in of_its_own
+    assert measure.cost_class in range(4)
+    assert measure.__doc__
+    held = hold(replace(BODY, length=0.8), ROOM, [measure()])
+    assert bool(sketch(held)) == (kind not in ("lower_shelves", "against_wall", "away_from_wall"))
+    assert all(measure().placed_at(held, 0.0))
+    others = {other for sets in (measure.compared_by_default, measure.tried_in_rooms) for other in sets}
+    assert set().union(*others) <= set(MEASURES)
+
+
+def test_the_manual_tells_what_a_measure_of_ones_own_may_say():
+    text = (Path(__file__).parents[2] / "docs" / "measures.md").read_text(encoding="utf-8")
+    told = set(re.findall(r"`(\w+)`", text.partition("## A measure of your own")[2].partition("\n## ")[0]))
+    assert {name for name in vars(Measure) if not name.startswith("_")} - {"check_most", "as_strong"} <= told

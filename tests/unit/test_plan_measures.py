@@ -23,9 +23,10 @@ from stayput.measures.wall import most_on_studs
 from stayput.report.room.card import plan_html
 from stayput.rooms.purchases import Purchase
 from stayput.rooms.step_words import where
-from stayput.rooms.steps import SETS, Home
+from stayput.rooms.steps import Home
 from stayput.simulation.placing import placed
 from stayput.verification.changes import Change, measures_for, refuse_unheld, with_changes
+from stayput.verification.options import TRIED
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -36,7 +37,7 @@ def test_each_set_that_was_tried_and_not_taken_has_a_reason():
     for step in plan.steps:
         shown = {fix.kinds for fix in (step.fix, step.instead) if fix is not None}
         if shown:
-            assert shown | set(plan.not_taken[step.what]) == set(SETS)
+            assert shown | set(plan.not_taken[step.what]) == set(TRIED)
             assert not shown & set(plan.not_taken[step.what])
     page = html.unescape(plan_html(plan)).replace("\xa0", " ")
     reasons = plan.not_taken["bookcase"]
@@ -54,7 +55,7 @@ def test_what_cannot_be_mounted_is_not_offered_and_the_reason_is_said():
     plan = planned(scenario)
     assert not plan.steps or plan.steps[0].fix is None
     reasons = {kinds: why[0] for kinds, why in plan.not_taken["bookcase"].items()}
-    assert set(reasons) == set(SETS)
+    assert set(reasons) == set(TRIED)
     assert "do not stick to carpet or tatami" in reasons[("gel_mats",)]
     assert "sinks into a soft floor" in reasons[("wedge_stopper", "tension_pole")]
     assert "dropped ceiling lifts" in reasons[("tension_pole",)]

@@ -24,6 +24,7 @@ from stayput.report.verdict.data import verdict_data
 from stayput.simulation.groups import groups_at_first
 from stayput.verification.changes import Change, loose_pieces, with_changes
 from stayput.verification.contest import Contest
+from stayput.verification.options import TRIED_ALONE
 from stayput.verification.room_words import (
     best_sentence,
     door_name,
@@ -35,7 +36,7 @@ from stayput.verification.room_words import (
     pieces_in,
     place_name,
 )
-from stayput.verification.search import TRIED, held
+from stayput.verification.search import held
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -324,7 +325,7 @@ def test_nothing_is_screwed_to_a_window_or_a_wall_too_far_away(openings: dict[st
     room = changed(places=[], **openings)
     contest = Contest(room, SLIDE_LIMIT, 1)
     possible: set[str] = set()
-    for kind in TRIED:
+    for kind in TRIED_ALONE:
         option = with_changes(room.stated, [Change("bookcase", sp.MEASURES[kind]())], room.names)
         with suppress(sp.InputError):
             held(contest, option, 0)

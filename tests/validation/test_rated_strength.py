@@ -14,7 +14,7 @@ import pytest
 import stayput as sp
 from stayput.measures import LBracket
 from stayput.montecarlo.counting import SLIDE_LIMIT
-from stayput.rooms.purchases import quantile_of, unbreakable
+from stayput.rooms.purchases import quantile_of
 from stayput.uncertainty import USUAL
 from stayput.verification.changes import Change, with_changes
 from stayput.verification.contest import Contest
@@ -39,7 +39,7 @@ def room(acceleration: float) -> sp.Scenario:
 @pytest.mark.parametrize("count", [2, 3])
 def test_brackets_bear_the_static_force_of_the_tie(acceleration: float, count: int):
     scenario = room(acceleration)
-    contest, brackets = Contest(scenario, SLIDE_LIMIT, 1), unbreakable(LBracket(count=count, slack=0.0))
+    contest, brackets = Contest(scenario, SLIDE_LIMIT, 1), LBracket(count=count, slack=0.0).unbreakable()
     option = with_changes(scenario.stated, [Change("block", brackets)], scenario.names)
     elements = [element for _, element in contest.held_by(option) if element is not None]
     force = quantile_of(contest.devices_of(option, 0), elements)

@@ -14,14 +14,13 @@ from stayput.app.downloads import film_kinds
 from stayput.app.messages import Reply, TwoNumbers, Words
 from stayput.building.building import STOREY_HEIGHT, STRUCTURES
 from stayput.catalogue import Phrase, names, phrase
-from stayput.errors import InputError
 from stayput.estimates import PRESET_DRAWERS, Everyday
-from stayput.measures import MEASURES, Measure, Parameter, hold, parameters
+from stayput.measures import MEASURES, Measure, Parameter, parameters
 from stayput.model.body import FURNITURE, Body, Part, Preset
 from stayput.model.floor_plan import PLACES, Door, FloorPlan, PersonPlace, Window
 from stayput.model.parameters import parameter_of
 from stayput.model.parameters import parameters as parameters_of
-from stayput.model.room import SURFACES, Ceiling, Room, Wall
+from stayput.model.room import SURFACES, Ceiling, Wall
 from stayput.motion.ground_shaking import (
     EarthquakeSource,
     strength_of_mercalli,
@@ -31,7 +30,6 @@ from stayput.motion.ground_shaking import (
 )
 from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.suites.synthesis import synthetic_suite
-from stayput.verification.options import USUAL
 
 if TYPE_CHECKING:
     from stayput.app.limits import Limits
@@ -151,6 +149,7 @@ class ParameterReply(Reply):
     confidence: str
     label: Words
     choices: list[str]
+    words: list[str] = Field(description="Words that are accepted beside numbers.")
     whole: bool
 
 
@@ -292,30 +291,13 @@ def _measure(name: str, kind: type[Measure]) -> MeasureReply:
         label=Words.of(kind.label),
         about=Words.of(kind.about),
         place=None if (place := kind().where()) is None else place[0],
-        needs=_needs(kind),
-        usual=name in USUAL,
+        needs=[kind.needs] if kind.needs else [],
+        usual=() in kind.compared_by_default,
         parameters=[
             _parameter(parameter, kind().in_a_usual_room().get(parameter.name))
             for parameter in parameters(kind)
         ],
     )
-
-
-def _needs(kind: type[Measure]) -> list[Literal["wall", "ceiling"]]:
-    """Return the surfaces that a kind of measure needs, found by applying it without each."""
-    body = Body(0.4, 1.8, 100.0)
-
-    without: dict[Literal["wall", "ceiling"], Room] = {
-        "wall": Room(ceiling=Ceiling(2.4)),
-        "ceiling": Room(left_wall=Wall(0.05)),
-    }
-    needed: list[Literal["wall", "ceiling"]] = []
-    for surface, room in without.items():
-        try:
-            hold(body, room, (kind(),))
-        except InputError:
-            needed.append(surface)
-    return needed
 
 
 def _parameter(parameter: Parameter, usual: float | None = None) -> ParameterReply:
@@ -326,4 +308,5 @@ def _parameter(parameter: Parameter, usual: float | None = None) -> ParameterRep
         confidence=str(parameter.confidence),
         label=Words.of(parameter.label),
         choices=list(parameter.choices),
+        words=list(parameter.words),
     )

@@ -70,10 +70,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "plus": (" + ", "＋"),
     "next": ("; ", "。"),
     "newtons": ("{newtons:,.0f} N ({kilograms:.0f} kgf)", "{newtons:,.0f} N（{kilograms:.0f} kgf）"),
-    "mats": ("{product} of {side:.1f} × {side:.1f} cm, for furniture of {mass:.0f} kg",
-             "{product}（{side:.1f}×{side:.1f} cm、{mass:.0f} kgの家具に対応するもの）"),
-    "wedge": ("{product}, {length:.2f} m long and {thickness:.0f} mm thick",
-              "{product}（長さ{length:.2f} m、厚さ{thickness:.0f} mm）"),
     # What is not strong enough
     "weak": (("Too weak for JMA intensity {strength}: gives way in {fails} of the runs, the piece "
               "overturns in {share}."),
@@ -111,47 +107,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "costs_more": ("brings no more, and costs more", "効果が変わらず、費用が高くなります"),
     "brings_no_more": ("brings no more", "効果は変わりません"),
     "not_needed": ("the steps bring as much without it", "ほかの項目だけで効果が変わりません"),
-    # Where it goes
-    "at_wall": ("on the wall {height:.2f} m above the floor, {apart}{studs}",
-                "壁の床から{height:.2f} mの高さ、{apart}{studs}"),
-    "on_studs": (", on studs every {pitch:.0f} mm", "、下地（間隔{pitch:.0f} mmの場合）の所"),
-    "on_one_stud": (", on a stud: the piece is too narrow for two studs",
-                    "、下地のある所（幅が狭く、2本の下地には届きません）"),
-    "on_a_strip": ((", more than there are studs behind it: on a strip of wood that is screwed across the "
-                    "studs"),
-                   "、下地の数より多いので、下地に渡してねじで留めた横木の所"),
-    "apart": ("{apart:.3g} m apart ({edge:.3g} m from its sides)",
-              "間隔{apart:.3g} m（側面から{edge:.3g} m）"),
-    "in_the_middle": ("in the middle of the piece", "家具の中央"),
-    "belt_top": (("on top of the piece {setback:.2f} m from its back, up to the wall {height:.2f} m above "
-                  "the floor, {apart}{studs}, tight"),
-                 ("家具の天板の背面から{setback:.2f} mの所から、壁の床から{height:.2f} mの高さへ、"
-                  "{apart}{studs}、たるませない")),
-    "pole_top": (("on top of the piece {setback:.2f} m from its back, {apart}, {length:.2f} m long, under "
-                  "a ceiling joist"),
-                 "家具の天板の背面から{setback:.2f} mの所、{apart}、長さ{length:.2f} m、天井の野縁の下"),
-    "mats_below": ("under the four corners", "底面の四隅"),
-    "wedge_below": ("under the whole front edge", "前面の下端の全長"),
-    # What to check
-    "check_stud": (("find the studs by tapping or with a stud finder (usually every {near:.0f} or "
-                    "{far:.0f} mm); the screws must go {depth:.0f} mm into them"),
-                   ("下地センサーなどで下地（間柱）を探す（間隔は{near:.0f} mmか{far:.0f} mmが多い）。"
-                    "ねじは下地に{depth:.0f} mm以上入れる")),
-    "check_plasterboard": (("plasterboard alone holds little: use anchors made for it, or find a stud "
-                            "after all"),
-                           "石こうボードだけでは弱い。専用アンカーを使うか、下地を探し直す"),
-    "check_concrete": ("drill with a masonry bit and use plugs; ask before drilling in a flat",
-                       "コンクリート用ドリルとプラグを使う。集合住宅では管理規約を確かめる"),
-    "check_hanging strip": ("the strip must be nailed to the posts, and not only glued on",
-                            "付け鴨居・長押が柱に釘で留まっていることを確かめる"),
-    "check_top": ("the top board must be wood or particle board that takes a screw",
-                  "天板がねじの効く木材またはパーティクルボードであることを確かめる"),
-    "check_ceiling": (("push the ceiling up by hand: it must not give; put a board across the joists if "
-                       "it does"),
-                      "天井を手で押し、動かないことを確かめる。動く場合は野縁をまたぐ当て板を入れる"),
-    "check_floor": ("the floor must be hard, even and free of dust and wax",
-                    "床が硬く平らで、ほこりやワックスがないことを確かめる"),
-    "check_hard": ("the floor must be hard", "床が硬いことを確かめる"),
+    # Moves
     "check_move": ("{empty}measure the new place; keep sockets and doors free",
                    "{empty}移動先の寸法を測り、コンセントとドアをふさがない"),
     "empty": ("empty it first; ", "中身を出してから動かす。"),

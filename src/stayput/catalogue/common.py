@@ -40,6 +40,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "left_out": ("{name} is given {where}; it must be left out.",
                  "{name}は{where}には指定できません。省いてください。"),
     "number": ("a number", "数値"),
+    "number_or": ("a number or {words}", "数値または{words}"),
     "numbers": ("numbers", "数値の並び"),
     "so_many_numbers": ("{count} numbers", "{count}個の数値"),
     "finite_number": ("a finite number", "有限の数値"),

@@ -122,6 +122,57 @@ TEXTS: dict[str, tuple[str, str]] = {
     "tied": ("tied to the wall at {height:g} times the height", "家具の高さの{height:g}倍の位置と壁との間"),
     "on_top": ("on the top, {setback:g} m from the back", "天板の上、背面から{setback:g} mの位置"),
     "on_shelves": ("on the shelves", "棚の上"),
+    # What to buy
+    "mats_to_buy": ("{product} of {side:.1f} × {side:.1f} cm, for furniture of {mass:.0f} kg",
+             "{product}（{side:.1f}×{side:.1f} cm、{mass:.0f} kgの家具に対応するもの）"),
+    "wedge_to_buy": ("{product}, {length:.2f} m long and {thickness:.0f} mm thick",
+              "{product}（長さ{length:.2f} m、厚さ{thickness:.0f} mm）"),
+    "ballast_to_buy": ("{product}, {mass:g} kg", "{product}（{mass:g} kg）"),
+    # Where it goes on a piece
+    "at_wall": ("on the wall {height:.2f} m above the floor, {apart}{studs}",
+                "壁の床から{height:.2f} mの高さ、{apart}{studs}"),
+    "on_studs": (", on studs every {pitch:.0f} mm", "、下地（間隔{pitch:.0f} mmの場合）の所"),
+    "on_one_stud": (", on a stud: the piece is too narrow for two studs",
+                    "、下地のある所（幅が狭く、2本の下地には届きません）"),
+    "on_a_strip": ((", more than there are studs behind it: on a strip of wood that is screwed across the "
+                    "studs"),
+                   "、下地の数より多いので、下地に渡してねじで留めた横木の所"),
+    "apart": ("{apart:.3g} m apart ({edge:.3g} m from its sides)",
+              "間隔{apart:.3g} m（側面から{edge:.3g} m）"),
+    "in_the_middle": ("in the middle of the piece", "家具の中央"),
+    "tied_top": (("on top of the piece {setback:.2f} m from its back, up to the wall {height:.2f} m above "
+                  "the floor, {apart}{studs}, tight"),
+                 ("家具の天板の背面から{setback:.2f} mの所から、壁の床から{height:.2f} mの高さへ、"
+                  "{apart}{studs}、たるませない")),
+    "pole_top": (("on top of the piece {setback:.2f} m from its back, {apart}, {length:.2f} m long, under "
+                  "a ceiling joist"),
+                 "家具の天板の背面から{setback:.2f} mの所、{apart}、長さ{length:.2f} m、天井の野縁の下"),
+    "under_corners": ("under the four corners", "底面の四隅"),
+    "under_front": ("under the whole front edge", "前面の下端の全長"),
+    "in_bottom": ("at the bottom, its centre {height:.2f} m above the base",
+                  "家具の下部、中心の高さは底面から{height:.2f} m"),
+    "shelves_down": ("{mass:.0f} kg from the shelves of the upper half to those of the lower half",
+                     "上半分の棚から下半分の棚へ{mass:.0f} kg"),
+    # What to look at first
+    "check_stud": (("find the studs by tapping or with a stud finder (usually every {near:.0f} or "
+                    "{far:.0f} mm); the screws must go {depth:.0f} mm into them"),
+                   ("下地センサーなどで下地（間柱）を探す（間隔は{near:.0f} mmか{far:.0f} mmが多い）。"
+                    "ねじは下地に{depth:.0f} mm以上入れる")),
+    "check_plasterboard": (("plasterboard alone holds little: use anchors made for it, or find a stud "
+                            "after all"),
+                           "石こうボードだけでは弱い。専用アンカーを使うか、下地を探し直す"),
+    "check_concrete": ("drill with a masonry bit and use plugs; ask before drilling in a flat",
+                       "コンクリート用ドリルとプラグを使う。集合住宅では管理規約を確かめる"),
+    "check_hanging strip": ("the strip must be nailed to the posts, and not only glued on",
+                            "付け鴨居・長押が柱に釘で留まっていることを確かめる"),
+    "check_top": ("the top board must be wood or particle board that takes a screw",
+                  "天板がねじの効く木材またはパーティクルボードであることを確かめる"),
+    "check_ceiling": (("push the ceiling up by hand: it must not give; put a board across the joists if "
+                       "it does"),
+                      "天井を手で押し、動かないことを確かめる。動く場合は野縁をまたぐ当て板を入れる"),
+    "check_clean": ("the floor must be hard, even and free of dust and wax",
+                    "床が硬く平らで、ほこりやワックスがないことを確かめる"),
+    "check_hard": ("the floor must be hard", "床が硬いことを確かめる"),
     # What gives way; the links of a chain say it beside their numbers
     "as_given": ("they reach the strength that is given for them", "指定された強さに達する"),
     "mats_peel": ("the mats peel off", "マットがはがれる"),

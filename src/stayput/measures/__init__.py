@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from stayput.measures.edges import GelMats, WedgeStopper
 from stayput.measures.element import DeviceResult, Element
 from stayput.measures.floor import (
@@ -12,12 +14,15 @@ from stayput.measures.floor import (
     LockedCasters,
     SlidingGlides,
 )
-from stayput.measures.measure import BadlyInstalled, Held, Measure, element_rows, hold
+from stayput.measures.measure import BadlyInstalled, Held, Measure, Sets, element_rows, hold
 from stayput.measures.place import AgainstWall, AwayFromWall, Ballast, LowerShelves
 from stayput.measures.pole import TensionPole
 from stayput.measures.sketch import Shape, sketch
 from stayput.measures.wall import Belt, Chain, LBracket, LBracketInBoard
 from stayput.model.parameters import Parameter, parameters
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 MEASURES: dict[str, type[Measure]] = {
     measure.kind: measure
@@ -42,6 +47,14 @@ MEASURES: dict[str, type[Measure]] = {
     )
 }
 """All measures, by their names in a scenario."""
+
+
+def sets_of(where: Callable[[type[Measure]], Sets]) -> list[tuple[str, ...]]:
+    """Return the sets of kinds that an attribute of the measures names: first those of one measure."""
+    return sorted(
+        ((kind, *others) for kind, measure in MEASURES.items() for others in where(measure)), key=len
+    )
+
 
 __all__ = [
     "MEASURES",
@@ -72,5 +85,6 @@ __all__ = [
     "element_rows",
     "hold",
     "parameters",
+    "sets_of",
     "sketch",
 ]

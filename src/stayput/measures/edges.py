@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, ClassVar
 
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError
-from stayput.measures.element import Element, Line, damper
+from stayput.measures.element import Element, Line, at_rest, damper
 from stayput.measures.floor import SOFT, kinetic_of, static_of
-from stayput.measures.measure import BadlyInstalled, Held, UnderTheBase
-from stayput.model.parameters import parameter
+from stayput.measures.measure import UNBREAKABLE, BadlyInstalled, Held, Sets, UnderTheBase
+from stayput.measures.sketch import THIN, Shape, outline
+from stayput.model.parameters import choice, parameter
 from stayput.uncertainty import Confidence
 
 if TYPE_CHECKING:
@@ -44,6 +45,10 @@ class GelMats(UnderTheBase):
     """
 
     kind: ClassVar[str] = "gel_mats"
+    base: ClassVar[str | None] = "feet"
+    compared_by_default: ClassVar[Sets] = ((),)
+    tried_in_rooms: ClassVar[Sets] = ((), ("tension_pole",))
+    cost_class: ClassVar[int] = 2
 
     rating: float = parameter(
         1e4,
@@ -62,6 +67,7 @@ class GelMats(UnderTheBase):
         decides=True,
     )
     count: int = parameter(4, "", 2, 100, ("number of pads", "枚数"))
+    strength: str = choice("rated", ("rated", UNBREAKABLE), ("strength", "強さ"))
     tension: float = parameter(
         100e3, "Pa", 1e2, 1e7, ("label stress in tension", "引張強さ（表示値）"), decides=True
     )
@@ -93,6 +99,23 @@ class GelMats(UnderTheBase):
         if self.area is not None:
             return self
         return replace(self, area=min(1.0, max(1e-5, body.mass / (self.rating * self.count))))
+
+    def to_buy(self, product: Phrase, body: Body) -> Phrase:
+        """Return the mats with their size and the mass that their label is to say."""
+        area = self.fitted_to(body).area
+        assert area is not None
+        side = 100.0 * math.sqrt(area)
+        return phrase("measures.mats_to_buy", product=product, side=side, mass=body.mass)
+
+    def checks(self, room: Room) -> tuple[Phrase, ...]:
+        """Return that the floor must be clean."""
+        return (phrase("measures.check_clean"),)
+
+    def device_shapes(self, element: Element, body: Body, room: Room) -> list[Shape]:
+        """Return a pad between body and floor."""
+        u, v = element.point
+        outer, inner = (at_rest(body, point) for point in ((u, v), (u - math.copysign(0.06, u), v)))
+        return [Shape("polygon", (outer, inner, (inner[0], -THIN), (outer[0], -THIN)), "pad")]
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with an element at each edge of its base.
@@ -135,7 +158,7 @@ class GelMats(UnderTheBase):
                 ("front", (half - front, right), self.count - self.count // 2),
             )
         )
-        return Held(replace(body, base="feet"), room, elements, (self,))
+        return Held(replace(body, base=self.base), room, self.as_strong(*elements), (self,))
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,6 +183,9 @@ class WedgeStopper(UnderTheBase):
     """
 
     kind: ClassVar[str] = "wedge_stopper"
+    compared_by_default: ClassVar[Sets] = ((), ("tension_pole",))
+    tried_in_rooms: ClassVar[Sets] = (("tension_pole",),)
+    cost_class: ClassVar[int] = 1
 
     thickness: float = parameter(
         0.007, "m", 5e-4, 0.1, ("thickness at the front edge", "前端の厚さ"), decides=True
@@ -173,9 +199,8 @@ class WedgeStopper(UnderTheBase):
         On its flat base a piece slides and does not tip while the floor's friction is below width/height; the
         rubber takes that away, and what it gives in lean is little for such a piece.
         """
-        cautions: list[Phrase] = []
-        if room.floor.surface in SOFT:
-            cautions.append(phrase("measures.wedge_sinks", measure=self.label))
+        sinks = self.advised_against(room)
+        cautions = [] if sinks is None else [sinks]
         slender, friction = body.width / body.height, room.floor.kinetic_friction
         if friction < slender:
             cautions.append(
@@ -187,6 +212,27 @@ class WedgeStopper(UnderTheBase):
         """Return it too short, so that the edge stands on its thin part."""
         thin = max(5e-4, 0.5 * self.thickness)
         return BadlyInstalled(replace(self, thickness=thin), phrase("measures.too_short"))
+
+    def advised_against(self, room: Room) -> Phrase | None:
+        """Return that it sinks into a soft floor."""
+        return phrase("measures.wedge_sinks", measure=self.label) if room.floor.surface in SOFT else None
+
+    def to_buy(self, product: Phrase, body: Body) -> Phrase:
+        """Return the stopper with its length and thickness."""
+        thick = 1e3 * self.thickness
+        return phrase("measures.wedge_to_buy", product=product, length=body.length, thickness=thick)
+
+    def placed_at(self, held: Held, base: float) -> Phrase:
+        """Return that it goes under the front."""
+        return phrase("measures.under_front")
+
+    def outlines(self, body: Body) -> list[Shape]:
+        """Return the stopper under the front edge."""
+        half, front = body.width / 2, body.base_heights[1]
+        back, nose = max(-half, half - 0.15), half + 0.03
+        inner = front * (0.5 + back / body.width)
+        edge = (nose, front), (nose, THIN), (half, 0.8 * THIN), (half, 0.0)
+        return [outline(body, "rubber", ((back, inner), *edge))]
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body tilted back, with rubber at the front edge."""

@@ -14,6 +14,8 @@ from stayput.mechanics.devices import columns
 from stayput.model.state import State, standing_corners
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from stayput.measures.measure import Held
     from stayput.model.body import Body
 
@@ -124,6 +126,19 @@ class Element:
     across: float = 0.0
     pitches: tuple[float, ...] = ()
 
+    @property
+    def rise(self) -> float:
+        """How far its anchor is above the point where it holds the body at rest [m]; 0 on a plane."""
+        return 0.0 if self.to_anchor is None else self.to_anchor[1]
+
+    def unbreakable(self) -> Element:
+        """Return it with the same stiffness, but no strength that it could reach, and never lost."""
+        normal, tangent = (
+            replace(line, limit_plus=math.inf, limit_minus=math.inf, ultimate=0.0, weakest=None)
+            for line in (self.normal, self.tangent)
+        )
+        return replace(self, normal=normal, tangent=tangent, drops_out=False)
+
     def spread(self, length: float) -> tuple[Element, ...]:
         """Return the devices that it stands for, one by one, along a length [m].
 
@@ -196,6 +211,25 @@ class Element:
         )
 
 
+def spacing(elements: Sequence[Element], length: float) -> Phrase:
+    """Return how far devices are apart along a length, and from its ends [m]."""
+    if len(elements) < 2:
+        return phrase("measures.in_the_middle")
+    places = sorted(element.across for element in elements)
+    return phrase("measures.apart", apart=places[1] - places[0], edge=0.5 * length - places[-1])
+
+
+def on_studs(elements: Sequence[Element]) -> Phrase:
+    """Return how devices on a wall come to stand on studs; nothing where they may stand anywhere."""
+    if not elements[0].pitches:
+        return "", ""
+    if len(elements) < 2:
+        return phrase("measures.on_one_stud")
+    apart = abs(elements[1].across - elements[0].across)
+    on = [pitch for pitch in elements[0].pitches if abs(math.remainder(apart, pitch)) < 1e-9]
+    return phrase("measures.on_studs", pitch=1e3 * on[0]) if on else phrase("measures.on_a_strip")
+
+
 def damper(ratio: float, stiffness: float, mass: float) -> float:
     """Return the damping that is a ratio of the critical one of the body's mass on a spring [N s/m]."""
     return 2.0 * ratio * math.sqrt(stiffness * mass)
@@ -242,7 +276,8 @@ class DeviceResult:
     place : str
         Tells it from others of the same measure: "front".
     peak_pull, peak_push, peak_shear : float
-        Largest forces at any time [N].
+        Largest forces that it bore at any time [N]: until it failed, if it did. What was asked of it is that
+        of the same device which cannot fail: `stayput.measures.Measure.unbreakable`.
     utilisation : float
         Largest peak force over its strength; at least 1 where it failed, 0 where it has no strength to reach.
     failed : bool

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import within
 from stayput.measures.element import Element, Line, damper
-from stayput.measures.measure import Held, Measure, UnderTheBase
+from stayput.measures.measure import Held, Measure, Sets, UnderTheBase
+from stayput.measures.sketch import THIN, Shape, box, outline
 from stayput.model.parameters import parameter
 from stayput.model.room import FRICTION_RANGE, LOCKED_CASTER, SURFACES, Room
 
@@ -40,14 +42,13 @@ def _usual(surface: str, value: float, label: Phrase) -> Any:
 class OtherFriction(UnderTheBase):
     """Something under the whole base: its friction takes the place of the floor's."""
 
+    cost_class: ClassVar[int] = 1
+
     surface: ClassVar[str] = ""
     """What the base stands on then, where how its friction is drawn depends on it."""
 
     on_soft_floor: ClassVar[str] = ""
     """The id of a caution for a soft floor."""
-
-    base: ClassVar[str | None] = None
-    """What bears on the floor then, as of a `Body`; None for what does now."""
 
     static_friction: float
     kinetic_friction: float
@@ -62,6 +63,13 @@ class OtherFriction(UnderTheBase):
         if not self.on_soft_floor or room.floor.surface not in SOFT:
             return ()
         return (phrase(self.on_soft_floor, measure=self.label),)
+
+    def outlines(self, body: Body) -> list[Shape]:
+        """Return two pads under the ends of the base, or a sheet under all of it."""
+        half, wide = body.width / 2, min(0.04, 0.2 * body.width)
+        if self.base is None:
+            return [outline(body, "rubber", box(-half, -THIN, half, 0.0))]
+        return [outline(body, "pad", box(x, -THIN, x + wide, 0.0)) for x in (-half, half - wide)]
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body on a floor with this friction, on the base and on its edges alike."""
@@ -88,6 +96,7 @@ class AntiSlipSheet(OtherFriction):
     """
 
     kind: ClassVar[str] = "anti_slip_sheet"
+    compared_by_default: ClassVar[Sets] = ((),)
 
     on_soft_floor: ClassVar[str] = "measures.rubber_slips"
     static_friction: float = static_of("rubber pad")
@@ -110,6 +119,7 @@ class FeltGlides(OtherFriction):
     """
 
     kind: ClassVar[str] = "felt_glides"
+    compared_by_default: ClassVar[Sets] = ((),)
     base: ClassVar[str | None] = "feet"
 
     on_soft_floor: ClassVar[str] = "measures.glides_stick"
@@ -140,7 +150,25 @@ class SlidingGlides(OtherFriction):
 
 
 @dataclass(frozen=True, slots=True)
-class FreeCasters(OtherFriction):
+class Casters(OtherFriction):
+    """Wheels under the corners."""
+
+    base: ClassVar[str | None] = "feet"
+    cost_class: ClassVar[int] = 2
+
+    def outlines(self, body: Body) -> list[Shape]:
+        """Return two wheels."""
+        half, radius = body.width / 2, min(0.025, 0.2 * body.width)
+        turns = [2.0 * math.pi * i / 16 for i in range(16)]
+        wheel = [(radius * math.cos(turn), radius * math.sin(turn)) for turn in turns]
+        return [
+            outline(body, "wheel", tuple((x + u, v) for u, v in wheel))
+            for x in (radius - half, half - radius)
+        ]
+
+
+@dataclass(frozen=True, slots=True)
+class FreeCasters(Casters):
     """Casters that roll.
 
     Examples
@@ -155,14 +183,13 @@ class FreeCasters(OtherFriction):
     """
 
     kind: ClassVar[str] = "free_casters"
-    base: ClassVar[str | None] = "feet"
 
     static_friction: float = static_of("free caster, hard floor")
     kinetic_friction: float = kinetic_of("free caster, hard floor")
 
 
 @dataclass(frozen=True, slots=True)
-class LockedCasters(OtherFriction):
+class LockedCasters(Casters):
     """Casters whose brakes are on.
 
     They may slip or roll all the same: locking the casters of an ultrasound machine did not necessarily
@@ -183,7 +210,6 @@ class LockedCasters(OtherFriction):
     """
 
     kind: ClassVar[str] = "locked_casters"
-    base: ClassVar[str | None] = "feet"
 
     surface: ClassVar[str] = LOCKED_CASTER
     static_friction: float = static_of(LOCKED_CASTER)
@@ -214,6 +240,7 @@ class BaseIsolator(OtherFriction):
     """
 
     kind: ClassVar[str] = "base_isolator"
+    cost_class: ClassVar[int] = 3
     static_friction: float = parameter(0.05, "", *FRICTION_RANGE, STATIC, decides=True)
     kinetic_friction: float = parameter(0.04, "", *FRICTION_RANGE, KINETIC, decides=True)
     stroke: float = parameter(0.1, "m", 1e-3, 5.0, ("stroke to either side", "片側の可動範囲"), decides=True)
@@ -222,6 +249,17 @@ class BaseIsolator(OtherFriction):
     )
     stop_stiffness: float = parameter(200e3, "N/m", 1e3, 1e8, ("stiffness of the stops", "ストッパーの剛性"))
     damping: float = parameter(0.2, "", 0.0, 2.0, ("damping ratio of the stops", "ストッパーの減衰定数"))
+
+    def outlines(self, body: Body) -> list[Shape]:
+        """Return the tray, and the stops on the floor at the ends of its stroke."""
+        half, reach = 0.5 * body.width, 0.5 * body.width + self.stroke
+        sides = [box(x, -0.04, x + side * 0.02, 0.03) for x, side in ((-reach, -1.0), (reach, 1.0))]
+        tray = outline(body, "metal", box(-half, -0.03, half, 0.0))
+        return [tray, *(Shape("polygon", side, "rubber") for side in sides)]
+
+    def device_shapes(self, element: Element, body: Body, room: Room) -> list[Shape]:
+        """Return nothing: the stops are among the outlines."""
+        return []
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body on a floor with little friction, its stops, and what pulls it back."""

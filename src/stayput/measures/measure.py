@@ -7,16 +7,18 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from types import MappingProxyType
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, ClassVar, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stayput.catalogue import TEXTS, Phrase, is_phrase, phrase
 from stayput.errors import InputError, instance_of, list_of, no_length
+from stayput.measures.element import at_rest
+from stayput.measures.sketch import Shape
 from stayput.mechanics.devices.columns import ELEMENT
 from stayput.model.body import Body
 from stayput.model.parameters import GIVEN, check_fields, parameter_of
@@ -91,6 +93,16 @@ class Held:
         """How far the measures are made to let the piece slide [m]."""
         return sum(measure.free_slide() for measure in self.measures)
 
+    def devices(self, kind: str) -> list[Element]:
+        """Return the devices of a kind of measure."""
+        return [element for element in self.elements if element.kind == kind]
+
+
+UNBREAKABLE: Literal["unbreakable"] = "unbreakable"
+"""The strength of a device that cannot fail, whose forces are then the demand on it."""
+
+Sets: TypeAlias = "tuple[tuple[str, ...], ...]"
+"""Sets of kinds of measures."""
 
 FAULTY = 0.23
 """Share of fixed furniture that was no better off in Kobe, 1995, since it was badly fixed.
@@ -161,6 +173,24 @@ class Measure(ABC):
     drilled: ClassVar[bool] = False
     """Whether it takes holes in a wall."""
 
+    needs: ClassVar[Literal["wall", "ceiling", ""]] = ""
+    """What the room must have for it: a wall behind the piece, a ceiling or neither."""
+
+    base: ClassVar[str | None] = None
+    """What bears on the floor with it, as of a `Body`: "feet" at the corners; None: what does without it."""
+
+    compared_by_default: ClassVar[Sets] = ()
+    """With which other kinds it is compared where a scenario of one piece names no measures; (): alone."""
+
+    tried_in_rooms: ClassVar[Sets] = ()
+    """With which other kinds it is tried on the pieces of a room; (): alone."""
+
+    cost_class: ClassVar[int] = 3
+    """What it costs for one piece, 0 (nothing) to 3, in the bounds of `stayput.rooms.steps.COST_BOUNDS`.
+
+    A convention of this program, and no price; a class of your own that says nothing counts as the dearest.
+    """
+
     def __init_subclass__(cls) -> None:
         if "label" not in cls.__dict__ and f"measures.{cls.__dict__.get('kind')}_about" in TEXTS:
             cls.label, cls.about = phrase(f"measures.{cls.kind}"), phrase(f"measures.{cls.kind}_about")
@@ -206,6 +236,45 @@ class Measure(ABC):
         """Return how far it is made to let the piece slide, which no verdict counts as sliding [m]."""
         return 0.0
 
+    def unbreakable(self) -> Measure:
+        """Return it with the strength "unbreakable": it then bears whatever is asked of it.
+
+        What has no strength is returned as it is: glides, sheets, casters, wedges and ballast bear no force
+        of a device, and the stops of a base isolator cannot fail.
+        """
+        return replace(self, strength=UNBREAKABLE) if hasattr(self, "strength") else self
+
+    def as_strong(self, *elements: Element) -> tuple[Element, ...]:
+        """Return its devices as they are, or so that they cannot fail where its strength says so."""
+        if getattr(self, "strength", None) != UNBREAKABLE:
+            return elements
+        return tuple(element.unbreakable() for element in elements)
+
+    def advised_against(self, room: Room) -> Phrase | None:
+        """Return why a plan does not choose it in a room where it can be put; None by default."""
+        return None
+
+    def to_buy(self, product: Phrase, body: Body) -> Phrase:
+        """Return the product as it is asked for in a shop, with its size for a piece."""
+        return product
+
+    def placed_at(self, held: Held, base: float) -> Phrase:
+        """Return where it goes on a piece, which it is in place on and whose base is so high [m]."""
+        return self.where() or ("", "")
+
+    def checks(self, room: Room) -> tuple[Phrase, ...]:
+        """Return what to look at in the room before it is bought; nothing by default."""
+        return ()
+
+    def outlines(self, body: Body) -> list[Shape]:
+        """Return what it looks like from the side, but for its devices, below or in a body at rest."""
+        return []
+
+    def device_shapes(self, element: Element, body: Body, room: Room) -> list[Shape]:
+        """Return what a device of it looks like; by default a line from the body to the anchor."""
+        (right, up), (x, z) = element.to_anchor or (0.0, 0.0), at_rest(body, element.point)
+        return [Shape("line", ((x, z), (x + right, z + up)), "tie")]
+
     @abstractmethod
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body and the room with the measure in place.
@@ -226,6 +295,14 @@ class UnderTheBase(Measure):
     def where(self) -> Phrase | None:
         """Return the place under the base."""
         return phrase("measures.under_base")
+
+    def placed_at(self, held: Held, base: float) -> Phrase:
+        """Return that it goes under the corners or the whole base."""
+        return phrase("measures.under_base" if self.base is None else "measures.under_corners")
+
+    def checks(self, room: Room) -> tuple[Phrase, ...]:
+        """Return that it needs a hard floor."""
+        return (phrase("measures.check_hard"),)
 
 
 _ORDER = ("the body", "the room", "the base", "the tie")

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, ClassVar, Literal
 
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, not_allowed
 from stayput.measures.measure import Held, Measure, wall_behind
+from stayput.measures.sketch import Shape, box, outline
 from stayput.model.parameters import parameter
 
 if TYPE_CHECKING:
@@ -22,6 +23,8 @@ class OtherGap(Measure):
     """Another distance from the wall behind."""
 
     acts_on: ClassVar[str] = "the room"
+    needs: ClassVar[Literal["wall", "ceiling", ""]] = "wall"
+    cost_class: ClassVar[int] = 0
 
     gap: float
 
@@ -120,9 +123,23 @@ class Ballast(Measure):
 
     kind: ClassVar[str] = "ballast"
     acts_on: ClassVar[str] = "the body"
+    cost_class: ClassVar[int] = 2
 
     mass: float = parameter(20.0, "kg", 0.01, 1e5, ("mass", "質量"))
     height: float = parameter(0.1, "m", 0.0, 10.0, ("height of its centre above the base", "中心の高さ"))
+
+    def to_buy(self, product: Phrase, body: Body) -> Phrase:
+        """Return the mass that is asked for."""
+        return phrase("measures.ballast_to_buy", product=product, mass=self.mass)
+
+    def placed_at(self, held: Held, base: float) -> Phrase:
+        """Return how high its centre is to be."""
+        return phrase("measures.in_bottom", height=self.height)
+
+    def outlines(self, body: Body) -> list[Shape]:
+        """Return a board at its height."""
+        half, thick = 0.45 * body.width, min(0.04, self.height)
+        return [outline(body, "mass", box(-half, self.height - thick, half, self.height + thick))]
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with the mass across its width."""
@@ -147,12 +164,17 @@ class LowerShelves(Measure):
 
     kind: ClassVar[str] = "lower_shelves"
     acts_on: ClassVar[str] = "the body"
+    cost_class: ClassVar[int] = 0
 
     share: float = parameter(0.2, "", 0.0, 0.45, ("part of the mass that is moved", "移す質量の割合"))
 
     def where(self) -> Phrase | None:
         """Return the shelves."""
         return phrase("measures.on_shelves")
+
+    def placed_at(self, held: Held, base: float) -> Phrase:
+        """Return how much is moved from where to where."""
+        return phrase("measures.shelves_down", mass=self.share * held.body.mass)
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with a uniform mass moved from its upper half to its lower half.

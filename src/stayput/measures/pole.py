@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, ClassVar, Literal
 
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, within
-from stayput.measures.element import Element, Line, at_rest
+from stayput.measures.element import Element, Line, at_rest, spacing
 from stayput.measures.fixing import CEILING_LINKS, POLE, TOP_BOARDS, Link, in_series
-from stayput.measures.measure import BadlyInstalled, Held, Measure
+from stayput.measures.measure import UNBREAKABLE, BadlyInstalled, Held, Measure, Sets
+from stayput.measures.sketch import Shape
 from stayput.model.parameters import choice, parameter
 from stayput.model.room import FRICTION_RANGE, Ceiling, Room
 
@@ -52,18 +53,23 @@ class TensionPole(Measure):
     """
 
     kind: ClassVar[str] = "tension_pole"
+    needs: ClassVar[Literal["wall", "ceiling", ""]] = "ceiling"
+    compared_by_default: ClassVar[Sets] = ((),)
+    tried_in_rooms: ClassVar[Sets] = ((),)
+    cost_class: ClassVar[int] = 2
 
     count: int = parameter(2, "", 1, 20, ("number of poles", "本数"))
     preload: float = parameter(150.0, "N", 1.0, 1e4, ("preload of one", "1本の突っ張り力"), decides=True)
     stiffness: float | None = parameter(
         None, "N/m", 1e3, 1e8, ("stiffness of one with the ceiling", "天井を含む1本の剛性")
     )
-    strength: float | None = parameter(
+    strength: float | Literal["unbreakable"] | None = parameter(
         None,
         "N",
         1.0,
         1e6,
         ("force that the ceiling bears from one", "天井の強さ（1本あたり）"),
+        words=(UNBREAKABLE,),
         decides=True,
     )
     give: float | None = parameter(
@@ -92,11 +98,15 @@ class TensionPole(Measure):
 
     def __post_init__(self) -> None:
         Measure.__post_init__(self)
-        if self.strength is not None and self.preload >= self.strength:
-            preload, strength = self.preload, self.strength
+        preload, strength = self.preload, self._stated_strength
+        if strength is not None and preload >= strength:
             raise InputError(
                 "measures.preload", "preload", measure=self.label, preload=preload, strength=strength
             )
+
+    @property
+    def _stated_strength(self) -> float | None:
+        return None if isinstance(self.strength, str) else self.strength
 
     def where(self) -> Phrase | None:
         """Return the place on the top."""
@@ -122,6 +132,26 @@ class TensionPole(Measure):
         link = self.chain("joist")
         return {"strength": link.strength, "stiffness": link.stiffness, "give": link.ultimate}
 
+    def placed_at(self, held: Held, base: float) -> Phrase:
+        """Return where on the top it stands, and how long it is."""
+        assert held.room.ceiling is not None
+        elements = held.devices(self.kind)
+        space = held.room.ceiling.height - base - elements[0].point[1]
+        apart = spacing(elements, held.body.length or 0.0)
+        return phrase("measures.pole_top", setback=self.setback, apart=apart, length=space)
+
+    def checks(self, room: Room) -> tuple[Phrase, ...]:
+        """Return that the ceiling must not give."""
+        return (phrase("measures.check_ceiling"),)
+
+    def device_shapes(self, element: Element, body: Body, room: Room) -> list[Shape]:
+        """Return the pole with its pads."""
+        assert room.ceiling is not None
+        (u, v), (x, z), top, half = element.point, at_rest(body, element.point), room.ceiling.height, 0.035
+        low, high = (at_rest(body, (end, v + 0.01)) for end in (u - half, u + half))
+        lines = ((x - half, top - 0.01), (x + half, top - 0.01)), (low, high), ((x, z), (x, top))
+        return [Shape("line", line, "metal") for line in lines]
+
     def chain(self, ceiling: str) -> Link:
         """Return one pole with the ceiling; what is given takes the place of what follows from the links.
 
@@ -140,7 +170,7 @@ class TensionPole(Measure):
                 raise InputError("measures.dropped_ceiling", "room.ceiling", measure=self.label)
             ceiling = "joist"
         link = in_series(POLE, CEILING_LINKS[ceiling], TOP_BOARDS[self.top])
-        stated = {"strength": self.strength, "stiffness": self.stiffness, "ultimate": self.give}
+        stated = {"strength": self._stated_strength, "stiffness": self.stiffness, "ultimate": self.give}
         return replace(link, **{name: value for name, value in stated.items() if value is not None})
 
     def apply(self, body: Body, room: Room) -> Held:
@@ -157,7 +187,7 @@ class TensionPole(Measure):
         within(called, space, SHORTEST, LONGEST, "m", "room.ceiling.height")
         link = self.chain(room.ceiling.construction)
         # what a user gives, he has; a default pole is tightened as far as its ceiling lets it be
-        tightened = 1.0 if self.strength is not None else TIGHTENED
+        tightened = TIGHTENED if self._stated_strength is None else 1.0
         preload = min(self.preload, tightened * link.strength)
         n = self.count
         k, slack, most = n * link.stiffness, -preload / link.stiffness, n * link.strength
@@ -167,4 +197,4 @@ class TensionPole(Measure):
         element = Element(
             self.kind, point, pushes, rubs, facing=(0.0, -1.0), friction=grip, drops_out=True, count=n
         )
-        return Held(body, room, (element,), (self,))
+        return Held(body, room, self.as_strong(element), (self,))

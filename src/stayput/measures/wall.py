@@ -5,14 +5,16 @@ from __future__ import annotations
 import math
 from abc import abstractmethod
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, ClassVar, Literal
 
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, within
 from stayput.measures import fixing
-from stayput.measures.element import EDGE, Element, Line, at_rest, damper
-from stayput.measures.measure import BadlyInstalled, Held, Measure, wall_behind
+from stayput.measures.element import EDGE, Element, Line, at_rest, damper, on_studs, spacing
+from stayput.measures.measure import UNBREAKABLE, BadlyInstalled, Held, Measure, Sets, wall_behind
+from stayput.measures.sketch import Shape
 from stayput.model.parameters import choice, other_default, parameter
+from stayput.model.state import wall_faces
 
 if TYPE_CHECKING:
     from stayput.model.body import Body
@@ -26,10 +28,14 @@ AS_ROOM = "room"
 class WallDevice(Measure):
     """Something between the piece and the wall, as strong as its weakest link or as given."""
 
+    needs: ClassVar[Literal["wall", "ceiling", ""]] = "wall"
     drilled: ClassVar[bool] = True
+    cost_class: ClassVar[int] = 1
 
     count: int = parameter(2, "", 1, 20, ("number of them", "個数"))
-    strength: float | None = parameter(None, "N", 1.0, 1e6, ("strength of one", "1個の強さ"), decides=True)
+    strength: float | Literal["unbreakable"] | None = parameter(
+        None, "N", 1.0, 1e6, ("strength of one", "1個の強さ"), words=(UNBREAKABLE,), decides=True
+    )
     stiffness: float | None = parameter(
         None, "N/m", 1e3, 1e8, ("stiffness of one with what it is fixed to", "取付け部を含む1個の剛性")
     )
@@ -73,6 +79,14 @@ class WallDevice(Measure):
         link = self.drawn("stud", 1.8, fixing.SPAN)
         return {"strength": link.strength, "stiffness": link.stiffness, "ultimate": link.ultimate}
 
+    def checks(self, room: Room) -> tuple[Phrase, ...]:
+        """Return what the wall and the furniture's top board must be."""
+        assert room.left_wall is not None
+        near, far = (1e3 * pitch for pitch in fixing.STUD_PITCH)
+        numbers = {"near": near, "far": far, "depth": 1e3 * fixing.SCREW_IN_STUD}
+        made_of = self.fixed_to(room.left_wall)
+        return phrase(f"measures.check_{made_of}", **numbers), phrase("measures.check_top")
+
     @abstractmethod
     def drawn(self, wall: str, height: float, span: float) -> fixing.Link:
         """Return one of them with what it is fixed to, drawn from the wall.
@@ -88,7 +102,7 @@ class WallDevice(Measure):
     def _as_given(self, chain: fixing.Link) -> fixing.Link:
         """Return the chain of one with what is given in place of what follows from its links."""
         stated = {name: getattr(self, name) for name in ("strength", "stiffness", "ultimate")}
-        changed = {name: value for name, value in stated.items() if value is not None}
+        changed = {name: value for name, value in stated.items() if value not in (None, UNBREAKABLE)}
         if self.strength is not None:
             changed["fails"] = phrase("measures.as_given")
         return replace(chain, **changed)
@@ -118,6 +132,22 @@ class Bracket(WallDevice):
     def where(self) -> Phrase | None:
         """Return the height on the wall."""
         return phrase("measures.on_wall", height=self.height)
+
+    def placed_at(self, held: Held, base: float) -> Phrase:
+        """Return where it is screwed to the wall."""
+        elements, length = held.devices(self.kind), held.body.length or 0.0
+        where = {"apart": spacing(elements, length), "studs": on_studs(elements)}
+        return phrase("measures.at_wall", height=base + elements[0].point[1], **where)
+
+    def device_shapes(self, element: Element, body: Body, room: Room) -> list[Shape]:
+        """Return an arm to the wall and a leg on it."""
+        (u, v), (x, z) = element.point, at_rest(body, element.point)
+        wall = wall_faces(body, room)[0]
+        leg, inside = min(0.06, 0.5 * body.height), u + min(0.06, 0.5 * body.width)
+        arm = at_rest(body, (u, v)), at_rest(body, (inside, v))
+        return [
+            Shape("line", line, "metal") for line in (((wall, z), (wall, z - leg)), arm, ((x, z), (wall, z)))
+        ]
 
     def _factor(self) -> float:
         """Return what is left of the strength as it is screwed on."""
@@ -165,7 +195,7 @@ class Bracket(WallDevice):
             count=self.count,
             pitches=self.pitches(wall),
         )
-        return Held(body, room, (element,), (self,))
+        return Held(body, room, self.as_strong(element), (self,))
 
     def _line(self, link: fixing.Link, mass: float) -> Line:
         k, most = self.count * link.stiffness, self.count * self._factor() * link.strength
@@ -190,6 +220,8 @@ class LBracket(Bracket):
     """
 
     kind: ClassVar[str] = "l_bracket"
+    compared_by_default: ClassVar[Sets] = ((),)
+    tried_in_rooms: ClassVar[Sets] = ((),)
 
     screws: str = choice("down", ("down", "up"), ("direction of the screws", "ねじの向き"))
     upward_strength: float = parameter(
@@ -200,7 +232,8 @@ class LBracket(Bracket):
         """Return it with its screws in the plasterboard beside the studs, where there are studs to miss."""
         if room.left_wall is None or self.fixed_to(room.left_wall) not in ("stud", "hanging strip"):
             return None
-        beside = replace(self, wall="plasterboard", strength=None, stiffness=None, ultimate=None)
+        strength = self.strength if self.strength == UNBREAKABLE else None
+        beside = replace(self, wall="plasterboard", strength=strength, stiffness=None, ultimate=None)
         return BadlyInstalled(beside, phrase("measures.beside_the_studs"))
 
     def _factor(self) -> float:
@@ -254,6 +287,13 @@ class Tie(WallDevice):
         slack = max(self.slack, min(0.5, self.slack + MORE_SLACK))
         return BadlyInstalled(replace(self, slack=slack), phrase("measures.hangs_loose"))
 
+    def placed_at(self, held: Held, base: float) -> Phrase:
+        """Return where it is screwed to the top and to the wall."""
+        elements, length = held.devices(self.kind), held.body.length or 0.0
+        where = {"apart": spacing(elements, length), "studs": on_studs(elements)}
+        height = base + elements[0].point[1] + elements[0].rise
+        return phrase("measures.tied_top", setback=self.setback, height=height, **where)
+
     def drawn(self, wall: str, height: float, span: float) -> fixing.Link:
         """Return one of them with what it is fixed to, by plates at either end; see `WallDevice.drawn`."""
         ends = (
@@ -281,7 +321,7 @@ class Tie(WallDevice):
         pulls = Line(k, c, self.slack, limit_plus=most, ultimate=link.ultimate, weakest=link.fails)
         pitches = self.pitches(wall)
         tie = Element(self.kind, point, pulls, to_anchor=(-away, rise), count=self.count, pitches=pitches)
-        return Held(body, room, (tie,), (self,))
+        return Held(body, room, self.as_strong(tie), (self,))
 
 
 def _left(body: Body) -> float:
@@ -307,6 +347,8 @@ class Belt(Tie):
     """
 
     kind: ClassVar[str] = "belt"
+    compared_by_default: ClassVar[Sets] = ((),)
+    tried_in_rooms: ClassVar[Sets] = ((),)
 
     itself: ClassVar[fixing.Link] = fixing.BELT
 

@@ -16,7 +16,7 @@ from functools import cache
 from typing import Any, TypedDict, TypeVar, Unpack, cast
 
 from stayput.catalogue import Phrase, phrase
-from stayput.errors import whole_within, within, word_of
+from stayput.errors import not_allowed, whole_within, within, word_of
 from stayput.uncertainty import Confidence
 
 F = TypeVar("F", bound="Callable[..., Any]")
@@ -56,6 +56,8 @@ class Parameter:
         How well founded the default is.
     choices : tuple of str
         The words that are accepted, where it is a word.
+    words : tuple of str
+        Words that are accepted beside numbers.
     decides : bool
         Whether the outcome hangs on it and only the product or the wall can tell it: strength, grip, slack.
         How many there are and where is the user's choice; stiffness and damping change little beside these.
@@ -79,6 +81,7 @@ class Parameter:
     meaning: str = ""
     confidence: Confidence = Confidence.LOW
     choices: tuple[str, ...] = ()
+    words: tuple[str, ...] = ()
     decides: bool = False
     counts: bool = False
 
@@ -118,6 +121,9 @@ class Parameter:
             Not a number, out of range, or not whole where it counts something.
         """
         name, place = called or self.label, field or self.name
+        if self.words and isinstance(value, str):
+            allowed = phrase("common.number_or", words=", ".join(map(repr, self.words)))
+            raise not_allowed(name, repr(value), allowed, place)
         low, high = bounds or (self.low, self.high)
         checked = whole_within if self.whole else within
         return float(checked(name, cast("float", value), low, high, self.unit, place))
@@ -126,6 +132,7 @@ class Parameter:
 class _More(TypedDict, total=False):
     confidence: Confidence
     choices: tuple[str, ...]
+    words: tuple[str, ...]
     decides: bool
     counts: bool
 
@@ -237,6 +244,8 @@ def check_fields(
             called = phrase("model.field_of", owner=owner, name=(about.name, about.label[1]))
         if about.choices:
             word_of(called, number, about.choices, field)
+        elif number in about.words:
+            continue
         elif about.name not in but and not (number is None and about.default is None):
             about.check(number, called=called, field=field)
             if number is not None and hasattr(number, "dtype"):  # out of an array: kept as Python's own

@@ -17,9 +17,6 @@ import numpy as np
 
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, instance_of
-from stayput.measures.edges import WedgeStopper
-from stayput.measures.floor import SOFT
-from stayput.measures.wall import WallDevice
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class
 from stayput.progress import tally
@@ -27,7 +24,6 @@ from stayput.rooms.purchases import Purchase, in_number, purchases_of
 from stayput.rooms.step_words import why_not
 from stayput.rooms.steps import (
     ALIKE,
-    SETS,
     ActionPlan,
     ChosenStep,
     Decisions,
@@ -47,7 +43,7 @@ from stayput.simulation.placing import placed
 from stayput.verification.changes import Change, measures_for, with_changes
 from stayput.verification.compare import option_verdict
 from stayput.verification.contest import Contest
-from stayput.verification.options import compared_options, inputs_of_piece
+from stayput.verification.options import TRIED, compared_options, inputs_of_piece
 from stayput.verification.people import harm_step, hits_in
 from stayput.verification.search import falling_pieces, harmful_pieces, held, moves_of
 from stayput.verification.verdict import OptionVerdict, Verdict
@@ -198,7 +194,7 @@ class _Planner:
     def reasons(self) -> dict[str, NotTaken]:
         """Return why sets of measures were not taken on the pieces, in the order in which they are tried."""
         return {
-            name: {kinds: why[kinds] for kinds in SETS if kinds in why}
+            name: {kinds: why[kinds] for kinds in TRIED if kinds in why}
             for name, why in self._not_taken.items()
             if why
         }
@@ -279,8 +275,10 @@ class _Planner:
         decided = self.decisions.measures.get(body)
         why = self._not_taken.setdefault(self.scenario.names[body], {})
         if decided is None:
-            why.update({kinds: phrase("action_plan.drills") for kinds in SETS if not self.home.allows(kinds)})
-            tried = self._helpful(body, moves, [kinds for kinds in SETS if self.home.allows(kinds)])
+            why.update(
+                {kinds: phrase("action_plan.drills") for kinds in TRIED if not self.home.allows(kinds)}
+            )
+            tried = self._helpful(body, moves, [kinds for kinds in TRIED if self.home.allows(kinds)])
         else:
             tried = [self._trial(body, self._in_number(body, decided, moves))]
         if not tried:
@@ -304,7 +302,7 @@ class _Planner:
 
     def _with_drilling(self, body: int, moves: tuple[Change, ...]) -> None:
         """Keep the best measures on a piece of those that only the ban on drilling rules out, if any."""
-        tried = self._helpful(body, moves, [kinds for kinds in SETS if not self.home.allows(kinds)])
+        tried = self._helpful(body, moves, [kinds for kinds in TRIED if not self.home.allows(kinds)])
         if tried:
             name = self.scenario.names[body]
             self.drilled[name] = self._fitted(min(tried, key=merit), body, moves)
@@ -354,10 +352,10 @@ class _Planner:
 
     def _refused(self, body: int, measures: tuple[Measure, ...], moves: tuple[Change, ...]) -> Phrase | None:
         """Return why measures cannot be put on a piece; None where they can."""
-        soft = self.scenario.room.room().floor.surface in SOFT
+        room = self.scenario.room.room()
         for measure in measures:
-            if soft and isinstance(measure, WedgeStopper):
-                return phrase("measures.wedge_sinks", measure=measure.label)
+            if (why := measure.advised_against(room)) is not None:
+                return why
         try:
             held(self.contest, self._with([*moves, *self._on(body, measures)]), body)
         except InputError as error:
@@ -369,7 +367,7 @@ class _Planner:
         self, body: int, measures: tuple[Measure, ...], moves: tuple[Change, ...]
     ) -> tuple[Measure, ...]:
         """Return measures with as many devices as their fixing asks for, where the studs allow it."""
-        if not any(isinstance(measure, WallDevice) for measure in measures):
+        if not any(measure.drilled for measure in measures):
             return measures
         length, moved = self.scene.pieces[body].body.length or 0.0, self._moved(body, moves)
         purchases = purchases_of(

@@ -14,13 +14,13 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from stayput.measures import Element, GelMats, Measure, TensionPole
 from stayput.measures.wall import WallDevice, most_on_studs
 from stayput.simulation.placing import placed
 from stayput.uncertainty import USUAL
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
+    from stayput.measures import Element, Measure
     from stayput.scenario.measures import Option
     from stayput.verification.contest import Contest
 
@@ -33,9 +33,6 @@ MARGIN = 1.0 / float(USUAL["strength"].quantile(np.array(1.0 - QUANTILE)))
 That is the scatter of strengths that all runs draw from; a strength that 95 % reach is what EN 1990 calls
 characteristic (4.2(3), recalled and not read again).
 """
-
-UNBREAKABLE = 1e6
-"""Strength of a device that cannot fail [N]: the most that one may be given."""
 
 
 class DeviceForces(NamedTuple):
@@ -67,19 +64,6 @@ def quantile_of(devices: NDArray[np.void], elements: Sequence[Element]) -> Devic
         return float(peaks[min(len(peaks) - 1, math.ceil(QUANTILE * len(peaks)) - 1)])
 
     return DeviceForces(*map(quantile, ("peak_pull", "peak_push", "peak_shear")))
-
-
-def unbreakable(measure: Measure) -> Measure:
-    """Return a measure that has the same stiffness and cannot fail."""
-    match measure:
-        case WallDevice():
-            return replace(measure, strength=UNBREAKABLE)
-        case TensionPole():
-            return replace(measure, strength=UNBREAKABLE)
-        case GelMats():
-            return replace(measure, tension=1e7, shear=1e7, realism=1.0)
-        case _:
-            return measure
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,10 +125,7 @@ def purchases_of(
     scene = contest.scene(option)
     held, kinds = placed(scene)[body].held, {measure.kind for measure in measures}
     assert held is not None
-    strong = tuple(
-        unbreakable(measure.fitted_to(scene.pieces[body].body)) if measure.kind in kinds else measure
-        for measure in option.on[body]
-    )
+    strong = tuple(measure.unbreakable() if measure.kind in kinds else measure for measure in option.on[body])
     on = (*option.on[:body], strong, *option.on[body + 1 :])
     devices = contest.devices_of(replace(option, on=on), body)
     purchases: list[Purchase] = []

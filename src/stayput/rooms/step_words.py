@@ -7,9 +7,7 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import Phrase, phrase
-from stayput.measures import MEASURES, Belt, Element, GelMats, Held, TensionPole, WedgeStopper
-from stayput.measures.fixing import SCREW_IN_STUD, STUD_PITCH
-from stayput.measures.wall import WallDevice
+from stayput.measures import MEASURES
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.rooms.steps import ActionPlan, Fix, PlanStep, cost_class_of, fails_to_hold, merit
 from stayput.simulation.placing import placed
@@ -20,6 +18,7 @@ from stayput.wording import inside, joined
 
 if TYPE_CHECKING:
     from stayput.fragility.probabilities import Probability
+    from stayput.measures import Held
     from stayput.rooms.purchases import Purchase
     from stayput.rooms.steps import NotTaken, Trial
     from stayput.verification.verdict import OptionVerdict
@@ -51,6 +50,8 @@ def forces_asked(purchase: Purchase) -> list[tuple[str, float]]:
 
 def product(purchase: Purchase) -> Phrase:
     """Return what to buy and how many: "Screwed L-brackets × 3"."""
+    if not hasattr(purchase.measure, "count"):
+        return purchase.measure.label
     return phrase("action_plan.product", measure=purchase.measure.label, count=purchase.count)
 
 
@@ -62,15 +63,7 @@ def products(fix: Fix) -> Phrase:
 
 def to_buy(purchase: Purchase, fix: Fix) -> Phrase:
     """Return what to buy, with its rated strength; of what is too weak it is not told."""
-    measure, body = purchase.measure, fix.piece.body
-    called = product(purchase)
-    if isinstance(measure, WedgeStopper):
-        thick = 1e3 * measure.thickness
-        return phrase("action_plan.wedge", product=called, length=body.length, thickness=thick)
-    if isinstance(measure, GelMats):
-        fitted = measure.fitted_to(body).area
-        assert fitted is not None
-        called = phrase("action_plan.mats", product=called, side=100.0 * math.sqrt(fitted), mass=body.mass)
+    called = purchase.measure.to_buy(product(purchase), fix.piece.body)
     forces = [phrase(f"action_plan.{name}", force=newtons(force)) for name, force in forces_asked(purchase)]
     if not forces or not purchase.enough:
         return called
@@ -79,66 +72,14 @@ def to_buy(purchase: Purchase, fix: Fix) -> Phrase:
 
 def where(purchase: Purchase, fix: Fix) -> Phrase:
     """Return where a device goes."""
-    held, measure, length = held_by(fix), purchase.measure, fix.piece.body.length or 0.0
-    elements = elements_of(held, measure.kind)
-    apart = _apart(elements, length)
-    base = fix.piece.at[2]
-    match measure:
-        case Belt():
-            height = base + elements[0].point[1] + (elements[0].to_anchor or (0.0, 0.0))[1]
-            values = {"height": height, "apart": apart, "studs": _on_studs(elements)}
-            return phrase("action_plan.belt_top", setback=measure.setback, **values)
-        case WallDevice():
-            height = base + elements[0].point[1]
-            return phrase("action_plan.at_wall", height=height, apart=apart, studs=_on_studs(elements))
-        case TensionPole():
-            assert held.room.ceiling is not None
-            space = held.room.ceiling.height - base - elements[0].point[1]
-            return phrase("action_plan.pole_top", setback=measure.setback, apart=apart, length=space)
-        case GelMats():
-            return phrase("action_plan.mats_below")
-        case _:
-            return phrase("action_plan.wedge_below")
+    return purchase.measure.placed_at(held_by(fix), fix.piece.at[2])
 
 
-def _apart(elements: list[Element], length: float) -> Phrase:
-    if len(elements) < 2:
-        return phrase("action_plan.in_the_middle")
-    places = sorted(element.across for element in elements)
-    return phrase("action_plan.apart", apart=places[1] - places[0], edge=0.5 * length - places[-1])
-
-
-def _on_studs(elements: list[Element]) -> Phrase:
-    """Return how devices on a wall come to stand on studs; nothing where they may stand anywhere."""
-    if not elements[0].pitches:
-        return "", ""
-    if len(elements) < 2:
-        return phrase("action_plan.on_one_stud")
-    apart = abs(elements[1].across - elements[0].across)
-    on = [pitch for pitch in elements[0].pitches if abs(math.remainder(apart, pitch)) < 1e-9]
-    return phrase("action_plan.on_studs", pitch=1e3 * on[0]) if on else phrase("action_plan.on_a_strip")
-
-
-def checks(fix: Fix) -> Iterator[Phrase]:
-    """Yield what to look at before the measures are bought, each once."""
-    held = held_by(fix)
-    seen: dict[str, Phrase] = {}
-    for purchase in fix.purchases:
-        match purchase.measure:
-            case WallDevice():
-                assert held.room.left_wall is not None
-                near, far = (1e3 * pitch for pitch in STUD_PITCH)
-                made_of = purchase.measure.fixed_to(held.room.left_wall)
-                numbers = {"near": near, "far": far, "depth": 1e3 * SCREW_IN_STUD}
-                seen[made_of] = phrase(f"action_plan.check_{made_of}", **numbers)
-                seen["top"] = phrase("action_plan.check_top")
-            case TensionPole():
-                seen["ceiling"] = phrase("action_plan.check_ceiling")
-            case GelMats():
-                seen["floor"] = phrase("action_plan.check_floor")
-            case _:
-                seen.setdefault("floor", phrase("action_plan.check_hard"))
-    yield from seen.values()
+def checks(fix: Fix) -> list[Phrase]:
+    """Return what to look at before the measures are bought, each once."""
+    room = held_by(fix).room
+    sentences = (sentence for purchase in fix.purchases for sentence in purchase.measure.checks(room))
+    return list(dict.fromkeys(sentences))
 
 
 def not_strong_enough(fix: Fix, plan: ActionPlan) -> tuple[Phrase, Phrase] | None:
@@ -178,7 +119,7 @@ def why_not(tried: Trial, taken: Trial | None = None) -> Phrase:
         if less > more:
             what = phrase(f"rooms.chance_of_{key}")
             return phrase("action_plan.helps_less", what=what, share=chance.share)
-    costlier = cost_class_of(tried.kinds) > cost_class_of(taken.kinds)
+    costlier = cost_class_of(tried.measures) > cost_class_of(taken.measures)
     return phrase("action_plan.costs_more" if costlier else "action_plan.brings_no_more")
 
 
@@ -332,8 +273,3 @@ def held_by(fix: Fix) -> Held:
     held = placed(fix.scene)[fix.body].held
     assert held is not None
     return held
-
-
-def elements_of(held: Held, kind: str) -> list[Element]:
-    """Return the devices of a kind."""
-    return [element for element in held.elements if element.kind == kind]

@@ -14,7 +14,6 @@ from stayput.montecarlo.counting import OVERTURNED
 from stayput.scenario.tables import floor_of
 from stayput.simulation.space_fate import MAY_FALL_FROM
 from stayput.verification.changes import Change, loose_pieces, with_changes
-from stayput.verification.options import COMBINED, Input
 from stayput.verification.people import harm_step
 from stayput.vocabulary import TATAMI
 
@@ -25,6 +24,7 @@ if TYPE_CHECKING:
     from stayput.scenario import Scenario
     from stayput.simulation.piece import Piece
     from stayput.simulation.scene import Scene
+    from stayput.verification.options import Input
     from stayput.verification.verdict import OptionVerdict, Verdict
 
 
@@ -108,19 +108,13 @@ def changes_between(before: Scenario, after: Scenario) -> tuple[Change, ...]:
     return tuple(changes)
 
 
-SETS = (("l_bracket",), ("belt",), ("tension_pole",), ("gel_mats",), COMBINED, ("gel_mats", "tension_pole"))
-"""What is tried on a piece: one measure, or two together."""
-
-COST_CLASSES = {"l_bracket": 1, "belt": 1, "wedge_stopper": 1, "gel_mats": 2, "tension_pole": 2}
-"""Cost of a measure for one piece: a convention of this program, and no price."""
-
 COST_BOUNDS = ((2_000, 15), (6_000, 40))
 """Upper ends of the cost classes 1 and 2, in yen and in euros: a convention; class 3 is all above."""
 
 
-def cost_class_of(kinds: Iterable[str]) -> int:
-    """Return the cost class of measures on a piece, 1 to 3."""
-    return min(len(COST_BOUNDS) + 1, sum(COST_CLASSES[kind] for kind in kinds))
+def cost_class_of(measures: Iterable[Measure]) -> int:
+    """Return the cost class of measures on a piece, 0 to 3."""
+    return min(len(COST_BOUNDS) + 1, sum(measure.cost_class for measure in measures))
 
 
 @dataclass(frozen=True, slots=True)
@@ -245,8 +239,8 @@ class Fix:
 
     @property
     def cost_class(self) -> int:
-        """Its cost: 1 to 3; see `COST_CLASSES`."""
-        return cost_class_of(self.kinds)
+        """Its cost, 0 to 3; see `stayput.measures.Measure.cost_class`."""
+        return cost_class_of(purchase.measure for purchase in self.purchases)
 
 
 NotTaken: TypeAlias = "Mapping[tuple[str, ...], Phrase]"
@@ -305,7 +299,7 @@ class PlanStep:
 
     @property
     def cost_class(self) -> int:
-        """Its cost: 0 for moving, else 1 to 3; see `COST_CLASSES`."""
+        """Its cost: 0 for moving, else that of the fix."""
         return 0 if self.fix is None else self.fix.cost_class
 
 

@@ -11,7 +11,7 @@ from dataclasses import MISSING, replace
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar, cast
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, create_model
+from pydantic import AfterValidator, BaseModel, ConfigDict, Discriminator, Field, Tag, create_model
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, has_control
@@ -142,6 +142,10 @@ def typed_field(about: Parameter, meaning: str | None = None, *, optional: bool 
     field = _field(about, **changed)
     if about.choices:
         kind, field = Literal[about.choices], Field(**changed)
+    elif about.words:
+        word: Any = Annotated[Literal[about.words], Tag(NAME)]
+        number = Annotated[float, between(about.low, about.high, about.unit), Tag(NUMBER)]
+        kind, field = Annotated[word | number, Discriminator(name_or_number)], Field(**changed)
     elif pair:
         number = Annotated[float, between(about.low, about.high, about.unit)]
         kind, field = Annotated[list[number], Field(min_length=2, max_length=2)], Field(**changed)

@@ -250,7 +250,7 @@ def refuse_unheld(scene: Scene, body: int) -> None:
     others = (piece for number, piece in enumerate(pieces) if number != body)
     if any(inside_each_other(pieces[body], piece) > DEEPEST for piece in others):
         raise InputError("rooms.leans_into", "measures")
-    on_wall = {measure.kind for measure in held.measures if isinstance(measure, WallDevice)}
+    on_wall = {measure.kind for measure in held.measures if measure.drilled}
     if not on_wall:
         return
     wall_behind = held.room.left_wall
@@ -266,7 +266,7 @@ def refuse_unheld(scene: Scene, body: int) -> None:
             plan,
             wall,
             member.at[axis] + across * element.across,
-            member.at[2] + element.point[1] + (element.to_anchor or (0.0, 0.0))[1],
+            member.at[2] + element.point[1] + element.rise,
         )
         for element in held.elements
         if element.kind in on_wall

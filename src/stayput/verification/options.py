@@ -12,10 +12,9 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError
-from stayput.measures import MEASURES, Measure, TensionPole, hold
+from stayput.measures import MEASURES, Measure, hold, sets_of
 from stayput.measures.floor import OtherFriction
 from stayput.measures.measure import GRADE_OF, Grade
-from stayput.measures.wall import WallDevice
 from stayput.model.body import FURNITURE
 from stayput.model.parameters import GIVEN, parameters
 from stayput.model.room import SURFACES, Floor
@@ -30,11 +29,18 @@ if TYPE_CHECKING:
     from stayput.scenario.pieces import PieceTable
     from stayput.scenario.tables import BuildingTable
 
-USUAL = ("anti_slip_sheet", "felt_glides", "gel_mats", "wedge_stopper", "l_bracket", "belt", "tension_pole")
-"""Measures that are compared where a scenario names none; each that can be applied."""
 
-COMBINED = ("wedge_stopper", "tension_pole")
-"""The usual pair: each makes up for what the other lacks."""
+def _effort(kinds: tuple[str, ...]) -> tuple[int, int, bool]:
+    """Return the sort key of sets of measures: few, cheap, and what ties a piece before what is under it."""
+    measures = [MEASURES[kind] for kind in kinds]
+    return len(kinds), sum(each.cost_class for each in measures), measures[0].acts_on == "the base"
+
+
+TRIED = tuple(sorted(sets_of(lambda measure: measure.tried_in_rooms), key=_effort))
+"""Sets of measures that are tried on the pieces of a room: one measure, or two together."""
+
+TRIED_ALONE = tuple(kinds[0] for kinds in TRIED if len(kinds) == 1)
+"""Those of one measure."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,9 +64,9 @@ class Impossible:
 
 
 def usual() -> tuple[Option, ...]:
-    """Return the usual measures on a piece, each alone, and the usual pair, whether they can be applied."""
-    sets = [(name,) for name in USUAL] + [COMBINED]
-    return tuple(Option(" + ".join(names), (tuple(MEASURES[name]() for name in names),)) for names in sets)
+    """Return the usual measures on a piece, each alone and pairs, whether they can be applied or not."""
+    sets = sets_of(lambda measure: measure.compared_by_default)
+    return tuple(Option(" + ".join(kinds), (tuple(MEASURES[kind]() for kind in kinds),)) for kinds in sets)
 
 
 def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impossible, ...]]:
@@ -105,30 +111,26 @@ def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impo
     return (nothing, *possible), tuple(impossible)
 
 
-ON_TOP = ("l_bracket", "belt", "tension_pole")
-"""Measures that are compared on the uppermost pieces of furniture, where a file names no options."""
-
-BELOW = ("gel_mats",)
-"""Measures that are compared under the pieces of furniture on the floor."""
-
-ALONE = ("l_bracket",)
-"""Those of them that are compared without the joints too."""
-
-
 def _usual_of_several(scenario: Scenario) -> tuple[Option, ...]:
-    """Return the options where a file names none: its joints and measures, or the usual ones."""
+    """Return the options where a file names none: its joints and measures, or the usual ones.
+
+    What is under the base goes under the pieces on the floor, all else on the uppermost ones. The first
+    measure alone is compared without the joints too.
+    """
     stated, joints = scenario.stated, bool(scenario.joints)
     options = [Option("joined", ((),) * len(scenario.names), joined=True)] if joints else []
     if any(stated.on):
         return (*options, stated)
     carried = {piece.on for piece in scenario.pieces if piece.is_furniture}
-    for kinds, chosen in (
-        (ON_TOP, [piece.is_furniture and piece.title not in carried for piece in scenario.pieces]),
-        (BELOW, [piece.is_furniture and piece.on is None for piece in scenario.pieces]),
-    ):
-        for kind in kinds if any(chosen) else ():
+    for kind in TRIED_ALONE:
+        below = MEASURES[kind].acts_on == "the base"
+        chosen = [
+            piece.is_furniture and (piece.on is None if below else piece.title not in carried)
+            for piece in scenario.pieces
+        ]
+        if any(chosen):
             on = tuple((MEASURES[kind](),) if held else () for held in chosen)
-            if not joints or kind in ALONE:
+            if not joints or kind == TRIED_ALONE[0]:
                 options.append(Option(kind, on))
             if joints:
                 options.append(Option(f"joined + {kind}", on, joined=True))
@@ -206,9 +208,9 @@ def inputs_of_piece(measures: tuple[Measure, ...], scenario: Scenario, number: i
         basis += _of_measure(measure)
         wall, ceiling = room.left_wall, room.ceiling
         known = "walls" in room.model_fields_set or (wall and "construction" in wall.model_fields_set)
-        if isinstance(measure, WallDevice) and not known:
+        if measure.drilled and not known:
             basis.append(Input(phrase("verification.the_wall"), Confidence.LOW.value))
-        if isinstance(measure, TensionPole) and ceiling and "construction" not in ceiling.model_fields_set:
+        if measure.needs == "ceiling" and ceiling and "construction" not in ceiling.model_fields_set:
             basis.append(Input(phrase("verification.the_ceiling"), Confidence.LOW.value))
     return tuple(dict.fromkeys(basis))
 

@@ -20,6 +20,7 @@ from stayput.model.floor_plan import FACING, PersonPlace
 from stayput.simulation.groups import Track, outline_of
 from stayput.simulation.space_fate import MAY_FALL_FROM
 from stayput.verification import changes
+from stayput.verification.options import TRIED_ALONE
 from stayput.verification.people import hardest, harm_of, hits_in, risk_of
 
 if TYPE_CHECKING:
@@ -29,9 +30,6 @@ if TYPE_CHECKING:
     from stayput.simulation.scene import Scene
     from stayput.verification.contest import Contest
     from stayput.verification.events import Ways
-
-TRIED = ("l_bracket", "belt", "tension_pole", "gel_mats")
-"""Measures that are tried on each piece."""
 
 ALIKE = 1e-9
 """Chances that differ by no more are equal."""
@@ -67,7 +65,7 @@ def tried_options(contest: Contest, base: Option, runs: Runs) -> Iterator[Option
 
     chances = overturning(runs)
     for body in sorted(harmful | falling, key=key, reverse=True):
-        for kind in TRIED if scenario.pieces[body].is_furniture else ():
+        for kind in TRIED_ALONE if scenario.pieces[body].is_furniture else ():
             (measure,) = changes.measures_for((kind,), scene, body)
             option = changes.with_changes(base, [changes.Change(names[body], measure)], names)
             with suppress(InputError):  # it cannot be put there

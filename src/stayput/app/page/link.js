@@ -55,6 +55,7 @@ export function toHash(scene, file = null) {
 /** The value of a measure's parameter, or nothing where it makes no sense. */
 function allowed(about, text) {
   if (about.choices?.length) return about.choices.includes(text) ? text : undefined;
+  if (about.words?.includes(text)) return text;
   const value = Number(text);
   return Number.isFinite(value) ? clamp(value, [about.low, about.high]) : undefined;
 }

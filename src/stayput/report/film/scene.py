@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stayput.measures.measure import Held, element_rows
-from stayput.measures.pole import TensionPole
 from stayput.mechanics.space.touching import ROOM
 from stayput.model.flat_fields import case_columns
 from stayput.report.film.shape import SolidShape, StillShape, rounded, shape_of, still_of
@@ -382,11 +381,12 @@ def _ties(run: Run) -> tuple[DrawnTie, ...]:
         return solid.centre_of_gravity + solid.principal[1] @ [float(spring[name]) for name in names]
 
     ties: list[DrawnTie] = []
+    under_ceiling = {measure.kind for measure in run.measures if measure.needs == "ceiling"}
     for spring, device in zip(run.springs, run.devices, strict=True):
         body, other, anchor = int(spring["body"]), int(spring["other"]), ("ax", "ay", "az")
         if other == ROOM:
             end = np.array([float(spring[name]) for name in anchor])
-            if device.kind == TensionPole.kind and run.room.ceiling is not None:
+            if device.kind in under_ceiling and run.room.ceiling is not None:
                 end[2] = run.room.ceiling.height
         else:
             end = in_frame(other, spring, anchor)

@@ -165,7 +165,10 @@ def _checks(plan: ActionPlan, language: str) -> list[tuple[str, str]]:
         ]
         ways += [] if step.instead is None else [step_words.checks(step.instead)]
         for undrilled, way in enumerate(ways):
-            numbered.setdefault((bool(undrilled), joined(way, "action_plan.next")), []).append(str(number))
+            if way:
+                numbered.setdefault((bool(undrilled), joined(way, "action_plan.next")), []).append(
+                    str(number)
+                )
     steps = {key: ", ".join(numbers) for key, numbers in numbered.items()}
     return [
         (_own(language, "steps_instead", steps=of) if undrilled else of, say(sentence, language))
@@ -181,7 +184,7 @@ def _row(number: int, plan: ActionPlan, scale: int, language: str) -> dict[str, 
         "number": number,
         "heading": say(step_words.heading(step, plan), language),
         "decided": text("decided") if step.decided else "",
-        "cost": text("free") if step.fix is None else text("cost", level=step.cost_class),
+        "cost": text("cost", level=step.cost_class) if step.cost_class else text("free"),
         "grade": step.grade.value,
         "known": [text("grade", **grade), text("weakest", inputs=joined(x.label for x in step.weakest))],
         "drawing": "" if step.fix is None else Markup(elevation_svg(step.fix, step.what, scale, language)),
@@ -243,7 +246,8 @@ def _lines(number: int, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
     step = plan.steps[number - 1]
     fix = step.fix
     if fix is not None:
-        yield "buy", joined(step_words.to_buy(purchase, fix) for purchase in fix.purchases)
+        if fix.cost_class:
+            yield "buy", joined(step_words.to_buy(purchase, fix) for purchase in fix.purchases)
         yield (
             "where",
             joined((step_words.where(purchase, fix) for purchase in fix.purchases), "action_plan.next"),

@@ -7,11 +7,10 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.catalogue import say
-from stayput.measures import Belt, Element, GelMats, Held, TensionPole, WedgeStopper, sketch
-from stayput.measures.wall import WallDevice
+from stayput.measures import Held, Shape, sketch
 from stayput.model.state import State, standing_corners, wall_faces
 from stayput.report.verdict import svg
-from stayput.rooms.step_words import elements_of, held_by
+from stayput.rooms.step_words import held_by
 from stayput.verification.room_words import piece_name
 
 if TYPE_CHECKING:
@@ -119,11 +118,11 @@ class _View:
         self.held, self.base, self.metre = held, base, metre
         body = held.body
         self.length, self.depth = body.length or body.width, body.width
-        ends = (belt.point[1] + (belt.to_anchor or (0.0, 0.0))[1] for belt in held.elements)  # of belts
+        ends = (element.point[1] + element.rise for element in held.elements)
         ceiling = held.room.ceiling
-        poles = any(isinstance(measure, TensionPole) for measure in held.measures)
+        poles = any(measure.needs == "ceiling" for measure in held.measures)
         self.ceiling = ceiling.height if poles and ceiling is not None else None
-        self.top = (self.ceiling or base + max(body.height, *ends)) + HEAD
+        self.top = (self.ceiling or base + max([body.height, *ends])) + HEAD
         behind, _ = wall_faces(body, held.room) if held.room.left_wall is not None else (-0.5 * self.depth, 0)
         self.wall = behind
         self.front_at = MARGIN + 0.5 * self.metre * self.length
@@ -143,42 +142,45 @@ class _View:
         if self.ceiling is not None:
             yield svg.line(left - 25.0, self.up(self.ceiling), right + 25.0, self.up(self.ceiling), "face")
         yield svg.box(left, self.up(self.base), right, self.up(high), "piece")
-        dimension: Element | None = None
-        heights = {high}
-        for purchase in fix.purchases:
-            measure, elements = purchase.measure, elements_of(held, purchase.measure.kind)
-            for element in elements:
+        heights, dimension = {high}, ""
+        for measure in (purchase.measure for purchase in fix.purchases):
+            for shape in measure.outlines(held.body):
+                yield self._from_the_front(shape, at_corners=measure.base == "feet")
+            for element in held.devices(measure.kind):
                 x = self.front_at + self.metre * element.across
-                z = self.base + element.point[1]
-                match measure:
-                    case Belt():
-                        end = z + (element.to_anchor or (0.0, 0.0))[1]
-                        yield svg.line(x, self.up(z), x, self.up(end), "shape tie")
-                        yield svg.box(x - 3.0, self.up(end) - 3.0, x + 3.0, self.up(end) + 3.0, "shape metal")
-                        heights.add(end)
-                    case WallDevice():
-                        yield svg.box(x - 3.0, self.up(z), x + 3.0, self.up(z + 0.06), "shape metal")
-                        heights.add(z)
-                    case TensionPole():
-                        end = self.ceiling or z
-                        yield svg.line(x, self.up(z), x, self.up(end), "shape metal")
-                        heights.add(end)
-                    case _:
-                        thick = self.up(self.base)
-                        yield svg.box(x - 4.0, thick - 4.0, x + 4.0, thick, "shape pad")
-            if isinstance(measure, WedgeStopper):
-                yield svg.box(left, self.up(0.0) - 3.0, right, self.up(0.0), "shape rubber")
-            elif elements and not isinstance(measure, GelMats):
-                dimension = elements[0]
+                shapes = measure.device_shapes(element, held.body, held.room)
+                for shape in shapes:
+                    low, top = self._heights(shape)
+                    yield svg.box(x - 3.0, low, x + 3.0, top, f"shape {shape.role}")
+                if measure.needs:
+                    heights.add(self.base + max(z for shape in shapes for _, z in shape.points))
+                    dimension = measure.kind
         for height in sorted(heights):
             yield svg.line(left - 22.0, self.up(height), left - 4.0, self.up(height), "size")
             yield svg.label(left - 24.0, self.up(height) + 7.0, f"{height:.2f}", anchor="end")
-        if dimension is not None:
-            yield from self._distances(dimension.kind)
+        if dimension:
+            yield from self._distances(dimension)
+
+    def _heights(self, shape: Shape) -> tuple[float, float]:
+        """Return between which heights a shape is on the paper."""
+        heights = [self.up(self.base + z) for _, z in shape.points]
+        return max(heights), min(heights)
+
+    def _from_the_front(self, shape: Shape, *, at_corners: bool) -> str:
+        """Return what is under or in the piece: at its corners as from the side, else from end to end."""
+        more, kind = 0.5 * (self.length - self.depth), f"shape {shape.role}"
+        if at_corners:
+            across = (self.front_at + self.metre * (x + math.copysign(more, x)) for x, _ in shape.points)
+            return svg.polygon(
+                [(x, self.up(self.base + z)) for x, (_, z) in zip(across, shape.points, strict=True)], kind
+            )
+        half = 0.5 * self.metre * self.length
+        low, high = self._heights(shape)
+        return svg.box(self.front_at - half, low, self.front_at + half, high, kind)
 
     def _distances(self, kind: str) -> Iterator[str]:
         """Yield marks below the floor where devices are, and how far they are apart."""
-        places = sorted({element.across for element in elements_of(self.held, kind)})
+        places = sorted({element.across for element in self.held.devices(kind)})
         marks = [self.front_at + self.metre * x for x in (-0.5 * self.length, *places, 0.5 * self.length)]
         level = self.up(0.0) + 10.0
         yield svg.line(marks[0], level, marks[-1], level, "size")

@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.catalogue import Phrase, phrase, say
 from stayput.catalogue.names import CONTENTS, DOORS, DRAWERS, PIECES
-from stayput.measures import Measure, TensionPole
-from stayput.measures.wall import WallDevice
 from stayput.model.parameters import GIVEN, parameter_of
 from stayput.report.names import named
 from stayput.scenario.tables import floor_of
@@ -18,6 +16,7 @@ from stayput.verification.events import CELL, PASSAGE
 from stayput.verification.options import building_tag, floor_tag, furniture_tag
 
 if TYPE_CHECKING:
+    from stayput.measures import Measure
     from stayput.model.room import Ceiling, Wall
     from stayput.scenario import Scenario
     from stayput.scenario.measures import UncertaintyTable
@@ -145,11 +144,11 @@ def _room(scenario: Scenario, measures: Sequence[Measure], *, gaps: bool) -> Ite
         if gaps and wall is not None:
             text = f"{'report' if scenario.alone else 'several'}.gap_text"
             yield Assumption(_text(key), phrase(text, gap=100.0 * wall.gap), GIVEN)
-    if room.left_wall is not None and any(isinstance(measure, WallDevice) for measure in measures):
+    if room.left_wall is not None and any(measure.drilled for measure in measures):
         yield _fixed_to("wall_fixing", room.left_wall)
     if room.ceiling is not None:
         yield Assumption(_text("ceiling"), _text("height_text", height=room.ceiling.height), GIVEN)
-        if any(isinstance(measure, TensionPole) for measure in measures):
+        if any(measure.needs == "ceiling" for measure in measures):
             yield _fixed_to("ceiling_fixing", room.ceiling)
 
 
