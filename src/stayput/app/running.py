@@ -64,7 +64,7 @@ class DeviceReply(Reply):
     kind: str
     label: Words
     name: str
-    peak_pull_n: float
+    peak_pull_n: float = Field(description="Largest that it bore, until it failed if it did.")
     peak_push_n: float
     peak_shear_n: float
     utilisation: float | None

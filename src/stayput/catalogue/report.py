@@ -172,7 +172,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "failed": ("Failed", "破損・脱落"),
     "failure_time": ("Fails at, median", "破損・脱落の時刻（中央値）"),
     "seconds": ("{value} s", "{value} 秒"),
-    "peak_force": ("Peak force: median, 90 %", "最大の力：中央値、90%値"),
+    "peak_force": ("Largest force that it bore: median, 90 %", "負担した最大の力：中央値、90%値"),
     "used": ("Of its strength: median, 90 %", "強度に対する割合：中央値、90%値"),
     "devices": ("Loads in the devices", "器具にかかる力"),
     "parameter": ("Parameter", "項目"),

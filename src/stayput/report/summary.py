@@ -26,9 +26,9 @@ if TYPE_CHECKING:
 
 
 _DEVICE_VALUES = {
-    "peak_pull": ("peak_pull", "N", "largest pull"),
-    "peak_push": ("peak_push", "N", "largest push"),
-    "peak_shear": ("peak_shear", "N", "largest shear"),
+    "peak_pull": ("peak_pull", "N", "largest pull that it bore"),
+    "peak_push": ("peak_push", "N", "largest push that it bore"),
+    "peak_shear": ("peak_shear", "N", "largest shear that it bore"),
     "used": ("utilisation", "", "largest force over its strength; at least 1 where it failed"),
     "failed_at": ("failure_time", "s", "time at which it failed, or nan"),
 }
@@ -368,7 +368,7 @@ def place_called(device: DeviceResult, members: Sequence[str], language: str = "
 def device_rows(
     devices: Sequence[DeviceResult], members: Sequence[str] = (), language: str = "en"
 ) -> list[tuple[str, str]]:
-    """Return a row for each device: its largest force, how much of its strength that is, and its failure.
+    """Return a row for each device: the largest force that it bore, in its strength too, and its failure.
 
     ``members`` are what the pieces of an assembly are called.
     """
@@ -386,7 +386,7 @@ def device_rows(
             fate = say("runs.row_failed", language, cause=cause, time=device.failure_time)
         else:
             fate = say("runs.row_holds", language)
-        rows_of_devices.append((name, f"{peak:.0f} N{used}{fate}"))
+        rows_of_devices.append((name, f"{say('runs.row_bore', language, peak=peak)}{used}{fate}"))
     return rows_of_devices
 
 

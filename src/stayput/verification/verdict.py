@@ -49,7 +49,8 @@ class DeviceSummary:
     failure_time : float
         Median time of failure of those runs [s]; nan where it never failed.
     peak : Quantiles
-        Largest force, of pull or push and shear together [N].
+        Largest force that it bore, of pull or push and shear together [N]: until it failed, if it did. What
+        was asked of it is that of the same device which cannot fail: `stayput.measures.Measure.unbreakable`.
     used : Quantiles
         Largest force over strength: below 1 there was a margin, where it failed it is at least 1; 0 for a
         device without a strength to reach.

@@ -70,10 +70,11 @@ function peaks(run) {
     ]);
   for (const one of run.devices)
     parts.push(
-      t("deviceLoad", {
+      t(one.failed ? "deviceFailed" : one.utilisation ? "deviceLoad" : "deviceBore", {
         device: deviceName(both(one.label), one.place),
         force: number(Math.max(one.peak_pull_n, one.peak_push_n, one.peak_shear_n)),
-        share: one.utilisation === null ? t("notKnown") : number(100 * one.utilisation),
+        share: number(100 * one.utilisation),
+        time: number(one.failure_time_s, 1),
       }),
     );
   return parts.join(t("space"));
