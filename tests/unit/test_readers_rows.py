@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+import stayput as sp
+from real_records import MOTIONS, recorded
 from record_files import block, peaks, table
 
 N = 397
@@ -59,6 +61,16 @@ def test_a_series_that_goes_on_from_row_to_row_is_known(read, refusal, per_line)
     assert [warning.code for warning in warned] == ["motion.rows_taken_as_samples"]
     assert refusal(rows).code == "motion.no_unit_nor_step"
     assert refusal(rows.replace("\n", " 0.0\n", 1), unit="gal", dt=0.01)
+
+
+@recorded
+@pytest.mark.parametrize("name", ["jma_kobe_1995_ud.AT2", "esm_hi_ars1_hne.ASC", "elcentro_1940_180.AT2"])
+@pytest.mark.parametrize("per_line", [5, 8])
+def test_real_records_in_rows_are_known_as_one_series(read, refusal, name, per_line):
+    motion = sp.read_motion(MOTIONS / name, component="channel 1")
+    rows = block(motion.x, TOUCHING, per_line)
+    assert read(rows, unit="m/s²", dt=motion.dt)[0].x == pytest.approx(motion.x, rel=1e-6)
+    assert refusal(rows, unit="m/s²", dt=motion.dt, columns="x=1").code == "motion.rows_of_one_series"
 
 
 @pytest.mark.parametrize("per_line", [2, 3, 4, 5, 8])

@@ -268,9 +268,9 @@ def _check_quantity(lines: Sequence[str]) -> None:
     Lines that also speak of acceleration or a history may say what these were made from.
     """
     matches = [(line, match) for line in lines for match in _OTHER_MOTION.finditer(line)]
-    told = next(((line, m) for line, m in matches if m["key"] or m["of_data"]), None)
-    if told and not any(map(_ACCELERATION.search, lines)):
-        raise not_acceleration(told[0], "velocity" if told[1]["velocity"] else "displacement")
+    statement = next(((line, m) for line, m in matches if m["key"] or m["of_data"]), None)
+    if statement and not any(map(_ACCELERATION.search, lines)):
+        raise not_acceleration(statement[0], "velocity" if statement[1]["velocity"] else "displacement")
     spectrum = next(filter(_SPECTRUM.search, lines), None)
     if spectrum and not any(map(_HISTORY.search, lines)):
         raise not_acceleration(spectrum, "spectral")
