@@ -51,7 +51,8 @@ def _default(about: Parameter) -> str:
 
 
 def _range(about: Parameter) -> str:
-    return ", ".join(f"`{word}`" for word in about.choices) or f"{about.low:g} to {about.high:g}"
+    numbers = () if about.choices else (f"{about.low:g} to {about.high:g}",)
+    return ", ".join([*numbers, *(f"`{word}`" for word in (*about.choices, *about.words))])
 
 
 def _section(kind: str, measure: type[Measure]) -> str:
@@ -140,7 +141,9 @@ def outcomes() -> str:
         )
         names = " + ".join(measure.label[0] for measure in chosen) or "nothing"
         rows.append([names, run.outcome.value, f"{100.0 * run.peak_slide:.1f}", devices])
-    return validation_run.markdown(["measure", "outcome", "peak slide [cm]", "devices"], rows, "llrl")
+    return validation_run.markdown(
+        ["measure", "outcome", "peak slide [cm]", "largest force that the devices bore"], rows, "llrl"
+    )
 
 
 def pictures(folder: Path) -> None:
