@@ -111,7 +111,7 @@ def _samples(line: str) -> list[str]:
     return split(_TOUCHING.sub(" ", line))
 
 
-def _is_one_series(text: str, skipped: int, row: str, size: int | None) -> bool:
+def _is_one_series(text: str, skipped: int, row: str, size: float | None) -> bool:
     """Return whether rows are of several samples of one series each, and not of columns.
 
     They are where that makes the stated number of samples. Else all rows but the last are of one length, and
@@ -132,7 +132,7 @@ def _is_one_series(text: str, skipped: int, row: str, size: int | None) -> bool:
     if size is not None:
         count = min(len(flat), len(flat) // width, key=lambda count: abs(count - size))
         check_count(count, size)
-        return width > 1 and count == len(flat)
+        return count == len(flat)
     rows = flat.reshape(-1, width)
     if width == 1 or len(rows) < _FEWEST_ROWS:
         return False
@@ -192,20 +192,23 @@ def read_columns(
     if not head.rows:
         raise InputError("motion.few_rows", rows=0)
     head.titles[:], skipped = [line for line in head.titles if any(map(str.isalnum, line))], len(head.titles)
-    counted = not chosen and head.states_count()
     above = head.comments + head.titles
     header = "\n".join(above)
-    size, written = known_units.stated_count(header), known_units.stated_step(header)
+    size: float | None = known_units.stated_count(header)
+    written = known_units.stated_step(header)
+    if not chosen and head.states_count():
+        stated, skipped = numbers(split(head.rows.pop(0)), "the_line_before_the_samples"), skipped + 1
+        written, size = sorted(stated.tolist())
     width = len(_samples(head.rows[0]))
     in_doubt = size is not None or ("t" not in chosen and (bool(chosen) or width not in _LABELS))
-    series = counted or (in_doubt and _is_one_series(text, skipped, head.rows[0], size))
-    if series and chosen:
+    series = in_doubt and _is_one_series(text, skipped, head.rows[0], size)
+    if series and chosen and width > 1:
         raise InputError("motion.rows_of_one_series", "columns", count=width)
-    if series and not counted and size is None:
+    if series and size is None:
         warn(InputWarning("motion.rows_taken_as_samples", count=width))
     places, headings = _chosen_columns(head, chosen) if chosen else _usual_columns(head, series, written)
     fields = _samples if series else partial(_fields, chosen=bool(chosen))
-    values = _numbers_at(text, skipped + counted, places, fields, counted=series)
+    values = _numbers_at(text, skipped, places, fields, counted=series)
     table = numbers(values, "the_numbers").reshape(-1, len(places))
     if line := known_units.stated_factor(above):
         raise InputError("motion.column_factor", "skip_lines", line=excerpt(line), option="skip_lines")
@@ -226,7 +229,7 @@ def read_columns(
         next(filter(None, map(known_units.stated_unit, above)), None),
         unit,
         header,
-        step_missing=timeless and dt is None and written is None and not counted,
+        step_missing=timeless and dt is None and written is None,
     )[shift:]
     if len(table) < 2:
         raise InputError("motion.few_rows", rows=1)
@@ -247,10 +250,6 @@ def read_columns(
         if written is not None and abs(written - step) > _STATED_STEP * step:
             raise not_as_stated("the_time_step", written, step, " s")
         step = known_units.time_step(step if dt is None else dt, None)
-    elif counted:
-        stated, size = sorted(numbers(split(head.rows[0]), "the_line_before_the_samples").tolist())
-        check_count(len(table), size)
-        step = known_units.time_step(stated, dt)
     else:
         # Some files begin with the number of samples: nearly as large as the number of lines, and no sample.
         if len(table) > 10 and 1 <= len(table) - table[0, 0] <= 2:
