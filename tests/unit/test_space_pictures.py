@@ -17,7 +17,7 @@ from stayput.report.animation import film_of
 from stayput.report.film.frames import VIEWS, Camera, Painter, _from_far, _hull_of
 from stayput.report.film.scene import RATE, scene_of
 from stayput.report.film.shape import shape_of
-from stayput.report.palette import LINE_COLOURS, STABILITY_COLOURS, rgb
+from stayput.report.palette import FAINT, LINE_COLOURS, STABILITY_COLOURS, rgb
 from stayput.report.plot import plot_run
 from stayput.report.summary import sentence
 from stayput.simulation.space_records import matrices
@@ -264,3 +264,13 @@ def test_devices_are_drawn_from_the_body_to_where_they_hold() -> None:
     np.testing.assert_allclose(tie.point, [-0.1, 0.3, 0.0], atol=1e-9)
     np.testing.assert_allclose(tie.anchor, [-0.1, 0.3, 0.9], atol=1e-9)
     assert tie.lost == run.devices[0].failure_time < 10.0
+
+
+def test_what_a_piece_does_after_its_fall_is_drawn_grey() -> None:
+    vase = sp.Piece(sp.Body.cone(0.1, 0.22, 0.35, 1.8), tilt=(0.0, 0.4, 0.0), at=(0.0, 0.0, 0.05))
+    run = sp.simulate(vase, sp.Room(), sp.Motion(dt=0.01, x=np.zeros(101), name="still"))
+    assert run.overturned
+    _, tilt, slide, plan = run.figure().axes
+    for axis in (tilt, slide, plan):
+        (after,) = (line for line in axis.lines if line.get_color() == FAINT)
+        assert len(after.get_xdata()) == np.count_nonzero(run.time > run.overturn_time)

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import matplotlib as mpl
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
@@ -23,6 +24,7 @@ from matplotlib.font_manager import findSystemFonts, fontManager  # pyright: ign
 from matplotlib.ft2font import FT2Font
 from matplotlib.text import Text
 from matplotlib.ticker import NullFormatter, StrMethodFormatter
+from numpy.typing import NDArray
 from PIL import ImageFont
 
 from stayput.catalogue import say
@@ -34,6 +36,8 @@ from stayput.report.palette import FAINT, INK, MUTED
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
+
+    from stayput.simulation.run import PieceRun
 
 
 _FILE = Path(mpl.get_data_path()) / "fonts/ttf/DejaVuSans.ttf"
@@ -300,6 +304,13 @@ def style(axis: Axes, *, zero: bool = True) -> None:
         axis.axhline(0.0, color=MUTED, linewidth=0.6, gid=_ZERO)
     for side in ("top", "right"):
         axis.spines[side].set_visible(False)
+
+
+def grey_after_fall(axis: Axes, piece: PieceRun, time: NDArray[Any], *line: NDArray[Any]) -> None:
+    """Draw a line grey from when a piece overturned or fell off on: its peaks are those until then."""
+    fell = time > np.fmin(piece.overturn_time, piece.fall_time)  # nan where it did neither
+    if fell.any():
+        axis.plot(*(part[fell] for part in line), color=FAINT, linewidth=2.4, zorder=4)
 
 
 def plain_log(axis: Axes, *, x: bool = True, y: bool = True) -> None:

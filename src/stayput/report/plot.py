@@ -28,6 +28,7 @@ from stayput.report.figures import (
     LINE,
     colour_beside,
     drawable,
+    grey_after_fall,
     label_axes,
     legend_within,
     new_figure,
@@ -326,6 +327,7 @@ def _draw_pieces(axis: Axes, run: Run, what: RunHistory, language: str) -> None:
     histories, most = _histories(run, what), 0.0
     for b, (piece, (times, values)) in enumerate(zip(run.pieces, histories, strict=True)):
         axis.plot(times, values, linestyle=_dashes(b), color=_colour(run, b), linewidth=1.3)
+        grey_after_fall(axis, piece, times, times, values)
         most = max(most, float(np.abs(values).max()))
         for time, text, marker in (
             (piece.overturn_time, "plots.overturned", _OVERTURNED),
@@ -466,6 +468,7 @@ def _draw_plan(axis: Axes, run: Run, language: str) -> None:
         way = run.place[b, :, :2].T
         axis.plot(*way, color=INK, linewidth=2.4, zorder=4)
         axis.plot(*way, linestyle=_dashes(b), color=colour, linewidth=1.4, zorder=4, label=drawable(name))
+        grey_after_fall(axis, run.pieces[b], run.time, *way)
         axis.plot(*run.place[b, -1, :2], "o", color=colour, markersize=6.0, markeredgecolor=INK, zorder=5)
     for still in still_of(run):
         look, of_wall = STILL_LOOKS[still.role].colour, still.role in OPENINGS
