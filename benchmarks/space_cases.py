@@ -195,7 +195,9 @@ def stack(rng: Rng, solids: list[sp.Body], duration: float = DURATION, keeps: st
     )
     motion = shaken(rng, rng.choice([0.0, 0.0, 8.0]), duration)
     if keeps == SLIDES:
-        floor, motion = sp.Floor(0.0, 0.0, normal_restitution=floor.normal_restitution), still(duration)
+        bounce = floor.normal_restitution
+        floor = sp.Floor(0.0, 0.0, normal_restitution=bounce, rolling_resistance=0.0)
+        motion = still(duration)
     return Thrown(tuple(bodies), sp.Room(floor), motion, (between, 0.8 * between), keeps)
 
 

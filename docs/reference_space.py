@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 G = 9.80665
-STICKING = sp.Room(sp.Floor(5.0, 5.0))
+STICKING = sp.Room(sp.Floor(5.0, 5.0, rolling_resistance=0.0))
 
 
 def tilted(cylinder: sp.Body, angle: float) -> tuple[sp.Body, NDArray[np.float64]]:

@@ -90,6 +90,7 @@ def test_every_number_of_a_case_can_change():
         "room.floor.normal_restitution": [0.1, 0.2],
         "room.floor.landing_place": [1.0, 0.5],
         "room.floor.settlement": [0.0002, 0.0],
+        "room.floor.rolling_resistance": [0.0, 0.002],
         "room.left_wall.gap": [0.05, 0.2],
         "room.left_wall.restitution": [0.2, 0.5],
         "room.left_wall.friction": [0.1, 0.4],

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 G = 9.80665
 UP = np.array([0.0, 0.0, 1.0])
-STICKING = sp.Room(sp.Floor(5.0, 5.0))
+STICKING = sp.Room(sp.Floor(5.0, 5.0, rolling_resistance=0.0))
 """A floor on which nothing slips."""
 
 

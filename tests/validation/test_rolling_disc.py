@@ -181,7 +181,7 @@ def test_the_turn_of_a_rocking_can(diameter: float, height: float, slips: bool, 
     spin = kick * (UP - n[2] * n)
     effective = rim.A if slips else rim.A + rim.m * rim.d**2
     falls = math.sqrt(2.0 * tilt * (effective + rim.m * rim.r**2) / (rim.m * G * rim.r))
-    room = sp.Room(sp.Floor(0.0, 0.0)) if slips else STICKING
+    room = sp.Room(sp.Floor(0.0, 0.0, rolling_resistance=0.0)) if slips else STICKING
     motion = still(2.3 * falls, 2.3 * falls / 4000)
     run = sp.simulate(rim.standing(can, tilt, spin, slips), room, motion, step=5e-5)
     tilts = np.arccos(np.clip(axis_over_time(run, n)[:, 2], -1.0, 1.0))

@@ -40,9 +40,10 @@ CASE = record(
     *floats("tilt", "tilt_rate", "slide", "slide_rate"),  # initial state [rad, rad/s, m, m/s]
     # read in space alone: mass [kg]; across the section [m], NaN where the body has none; half of what
     # the feet span of it; moments about the horizontal in the section and the vertical, over m [m²]; what
-    # bears, by its place in `BASES`; e without the place of a landing, and that; walls to −y and +y
+    # bears, by its place in `BASES`; e without the place of a landing, and that; how far ahead the floor's
+    # force lies of what rolls [m]; walls to −y and +y
     *floats("mass", "length", "half_base", "roll_inertia", "yaw_inertia", "base"),
-    *floats("floor_restitution", "landing_place"),
+    *floats("floor_restitution", "landing_place", "rolling_resistance"),
     *floats("near_side_distance", "near_side_restitution", "near_side_friction"),
     *floats("far_side_distance", "far_side_restitution", "far_side_friction"),
 )

@@ -82,6 +82,10 @@ class Floor:
     settlement : float
         How far a flat base sinks in under the piece at rest [m]; 0 is a rigid floor. See
         `stayput.model.soft_base`.
+    rolling_resistance : float
+        f, how far ahead of the contact of a round body that rolls the floor's force lies [m], in space: it
+        slows down by 2/3 g f/R of a cylinder. The default is of wood on wood (0.06 in; tables of handbooks
+        have 0.5 mm of steel on steel and 1.2 mm of wood on steel); soft floors have more.
     surface : str
         The preset that it was made from, or empty; what sticks to it or sinks in depends on it.
 
@@ -114,6 +118,9 @@ class Floor:
     right_edge_kinetic_friction: float | None = _friction(None, "right_edge_", "kinetic")
     landing_place: float = parameter(1.0, "", 0.0, 1.0, ("Floor landing place", "着地の力の位置"))
     settlement: float = parameter(0.0, "m", 0.0, MOST_SETTLEMENT, ("Floor settlement", "床の沈み込み"))
+    rolling_resistance: float = parameter(
+        1.5e-3, "m", 0.0, 0.1, ("Floor rolling resistance", "床の転がり抵抗")
+    )
     surface: str = field(default="", compare=False)
 
     def __repr__(self) -> str:

@@ -173,7 +173,7 @@ def _add(body: Any, solid: Solid, floor: np.void, lists: tuple[list[Any], ...]) 
     body["restitution"], body["landing_place"] = floor["floor_restitution"], floor["landing_place"]
     for kind in ("static", "kinetic"):
         body[f"mu_{kind}"], body[f"edge_{kind}"] = floor[f"{kind}_friction"], floor[f"edge_{kind}_friction"]
-    body["kappa"] = friction_ratio(solid)
+    body["rolling"], body["kappa"] = floor["rolling_resistance"], friction_ratio(solid)
     up = solid.up_at_rest
     body["ux"], body["uy"], body["uz"] = axes[2] if up is None else up @ axes
     body["points"] = len(points) - first
@@ -288,7 +288,7 @@ def scratch_of(world: tuple[Any, ...], devices: int) -> tuple[Any, ...]:
     bodies, points, rims, planes, pairs, faces = world[:6]
     keys = len(planes) * (len(points) + RIM_POINTS * len(rims)) + MOST_TOUCHING * len(pairs)
     features = len(planes) * (len(points) + len(rims)) + len(pairs)
-    kept = np.zeros((3, keys, 9))
+    kept = np.zeros((3, keys, 10))
     kept[0, :, 3] = 1.0
     # of two convex faces that cut each other half as many corners are left; by rounding it may be more
     most_corners = 4 * faces["count"].max()

@@ -5,6 +5,7 @@ from stayput.mechanics.space.body import bend, in_body, place_of, sag
 from stayput.mechanics.space.contact import lever_a, lever_b, velocity_at
 from stayput.mechanics.space.impact import hits_square, mark_what_hits
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch, turning_opens
+from stayput.mechanics.space.rolling import set_rolling
 from stayput.mechanics.space.solve import IMPACT, ask_for_bend, prepare, rise, spread_friction
 from stayput.mechanics.space.touching import (
     ENTERS,
@@ -65,6 +66,7 @@ def keep(contacts, count, kept, marks):
         kept[c.key, 0], kept[c.key, 1], kept[c.key, 2] = part * c.pn, part * c.ps, part * c.pt
         kept[c.key, 3], kept[c.key, 4] = float(c.stuck), c.when
         kept[c.key, 5], kept[c.key, 6], kept[c.key, 7], kept[c.key, 8] = c.x, c.y, c.z, float(c.stood)
+        kept[c.key, 9] = part * c.pr
 
 
 @inline
@@ -123,6 +125,7 @@ def _close(contacts, count, key, kept, ratio, surface):
     _rub(c, surface)
     c.stuck, c.stood = 1 if kept[key, 3] == 1.0 else 0, int(kept[key, 8])
     c.pn, c.ps, c.pt = ratio * kept[key, 0], ratio * kept[key, 1], ratio * kept[key, 2]
+    c.roll, c.pr = 0.0, ratio * kept[key, 9]
     return count + 1
 
 
@@ -249,6 +252,8 @@ def find_contacts(world, poses, push, scratch, kept, ratio, h):
                             count = _close(contacts, count, key, kept, ratio, plane)
                             if plane.floor:
                                 _rub(contacts[count - 1], body)
+                            if plane.floor and number == 0:
+                                set_rolling(contacts[count - 1], s, rims[i], body.rolling)
             if count > first:
                 _prepare(contacts, first, count, kept, plane, bodies, poses, h)
     return _find_between(world, poses, scratch, kept, ratio, h, count) if pairs.shape[0] > 0 else count

@@ -16,13 +16,14 @@ SOLID = record(
     *floats("mass", "i1", "i2", "i3", "rm", "r1", "r2", "r3"),
     *integers("first_point", "points", "hull", "first_rim", "rims"),
     *integers("first_face", "faces", "first_edge", "edges"),
-    *floats("radius", "restitution", "landing_place", "kappa"),
+    *floats("radius", "restitution", "landing_place", "rolling", "kappa"),
     *floats("mu_static", "mu_kinetic", "edge_static", "edge_kinetic", "ux", "uy", "uz"),
 )
 """A body: mass, principal moments of inertia, and the roots of one over each; its points, of which the first
 are the corners of its convex hull, rims, faces and edges; the radius about G of a ball around it; of the
-floor under it restitution and place of a landing; where friction acts (`stayput.model.even_base`); friction
-on that floor, and on one corner or edge alone; and what points up at rest.
+floor under it restitution, place of a landing and arm of rolling resistance; where friction acts
+(`stayput.model.even_base`); friction on that floor, and on one corner or edge alone; and what points up at
+rest.
 """
 
 POINT = record(*floats("x", "y", "z", "mu_static", "mu_kinetic"), *integers("floor", "walls"))
@@ -69,6 +70,7 @@ CONTACT = record(
     *floats("wnn", "wns", "wnt", "wss", "wst", "wtt", "stiff"),
     *floats("ln", "ls", "lt", "un", "us", "ut", "en", "es", "et", "gn", "gs", "gt"),
     *floats("shift", "change", "rho", "when", "x", "y", "z"),
+    *floats("roll", "qx", "qy", "qz", "pr", "dr", "grip"),
 )
 """A closed contact: bodies a and b (−1: the room), whether it sticks, and has done so since the last step
 alone; the plane of the room (−1: none) and whether it is the floor, the normal towards a and two tangents,
@@ -77,8 +79,9 @@ about both G, coefficients of friction, the normal velocity before, its restitut
 and the velocity wanted, impulses, their changes by a step of Newton's method, and the inverse mass that they
 see; of the augmented Lagrangian the multipliers, velocities, their changes along the direction and by the
 gradient, the shift of the normal velocity and its change, and the penalty; when it begins or ends to slip,
-over the step's length (`stayput.mechanics.space.events`); and of two bodies where it is in the axes of body
-a.
+over the step's length (`stayput.mechanics.space.events`); of two bodies where it is in the axes of body a;
+and of a rim that may roll (`stayput.mechanics.space.rolling`) the arm of its resistance, the axis, the
+impulse of moment, its change by a step of Newton's method and by how much that falls with the rate.
 """
 
 SPRING = record(

@@ -127,6 +127,18 @@ def _give(body, s, factor, p, moment):
 
 
 @inline
+def rolling_axis(c):
+    """Return the axis about which a contact rolls."""
+    return c.qx, c.qy, c.qz
+
+
+@inline
+def turn(c, bodies, poses, pr):
+    """Apply an impulse of moment about the axis about which a contact rolls."""
+    _give(bodies[c.a], poses[c.a], 1.0, (0.0, 0.0, 0.0), scaled(pr, rolling_axis(c)))
+
+
+@inline
 def push(c, bodies, poses, pn, ps, pt):
     """Apply an impulse along the axes of a contact, to body a and against body b."""
     normal, friction = scaled(pn, normal_of(c)), added(scaled(ps, first_tangent(c)), pt, second_tangent(c))

@@ -360,7 +360,7 @@ def run_in_space(
         Time between samples [s], longest plain step [s], gravity [m/s²], how long all bodies lie before the
         run ends [s], and the longest refined step [s].
     scratch : tuple
-        Working memory: CONTACT[c], what `keep` notes of contacts float64[3, keys, 9],
+        Working memory: CONTACT[c], what `keep` notes of contacts float64[3, keys, 10],
         gaps float64[2, features],
         places of the points float64[p, 3], polygons float64[2, corners, 4], points that touch float64[8, 5];
         what bodies stand on: sides float64[p, 3], their numbers int64[n], circles float64[n, 3], least

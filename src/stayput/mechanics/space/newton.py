@@ -35,6 +35,7 @@ from stayput.mechanics.space.devices import (
     damps,
     lever_of_pull,
 )
+from stayput.mechanics.space.rolling import add_resistance, hold_rolling
 from stayput.mechanics.space.touching import ROOM
 from stayput.mechanics.space.vectors import added, cross, normal_of
 
@@ -320,6 +321,7 @@ def improve(contacts, count, held, bodies, poses, system, h):
             p, d1, d2, d3 = _law(c, beyond_target(c, poses))
             c.dn, c.ds, c.dt = p
             add_pair(matrix, vector, c.a, c.b, rows, k, p, (d1, d2, d3))
+            hold_rolling(c, bodies, poses, matrix, vector, FIRM)
     springs, pulls, _ = held
     for d in range(springs.shape[0]):
         spring, pull = springs[d], pulls[d]
@@ -334,6 +336,7 @@ def improve(contacts, count, held, bodies, poses, system, h):
             x, y, z = by_rows(rows, k, 3, c.a, c.b, vector)
             c.dn, c.ds, c.dt = c.dn - x, c.ds - y, c.dt - z
             _add_impulse(c, bodies, poses)
+            add_resistance(c, bodies, poses, vector)
     for d in range(springs.shape[0]):
         spring, pull = springs[d], pulls[d]
         if damps(spring, pull):

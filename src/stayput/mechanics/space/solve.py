@@ -35,6 +35,7 @@ from stayput.mechanics.space.contact import (
     slip,
 )
 from stayput.mechanics.space.newton import improve, set_rows
+from stayput.mechanics.space.rolling import resist
 from stayput.mechanics.space.touching import ROOM
 from stayput.mechanics.space.vectors import added, cross, dot, norm, normal_of, scaled, tangents
 
@@ -303,6 +304,8 @@ def _sweep(contacts, count, bodies, poses):
     for k in range(count):
         change = max(change, _propose(contacts[k], poses))
     for c in contacts[:count]:
+        change = max(change, resist(c, bodies, poses))
+    for c in contacts[:count]:
         if c.dn != 0.0 or c.ds != 0.0 or c.dt != 0.0:
             c.pn, c.ps, c.pt = c.pn + c.dn, c.ps + c.ds, c.pt + c.dt
             push(c, bodies, poses, c.dn, c.ds, c.dt)
@@ -394,7 +397,10 @@ def apply(contacts, count, bodies, poses, factor):
 
 @inner
 def _solve_by_augmented_lagrangian(contacts, count, held, bodies, poses, system, h, work):
-    """Find the impulses of a step where sweeps have not, beginning with ``ln``, ``ls``, ``lt``."""
+    """Find the impulses of a step where sweeps have not, beginning with ``ln``, ``ls``, ``lt``.
+
+    What resists rolling stays as the sweeps left it.
+    """
     apply(contacts, count, bodies, poses, -1.0)
     closing = speed = 0.0
     for c in contacts[:count]:

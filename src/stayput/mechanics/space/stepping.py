@@ -11,7 +11,7 @@ import math
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import attitude, drift, place_of, set_attitude, stop, velocity
 from stayput.mechanics.space.closing import OPEN, find_contacts, keep
-from stayput.mechanics.space.contact import turns_back
+from stayput.mechanics.space.contact import turn, turns_back
 from stayput.mechanics.space.devices import give, hold, note_forces, stretch
 from stayput.mechanics.space.events import changes, changes_at, gives_way, note_pressing
 from stayput.mechanics.space.impact import bounces, land, mend
@@ -123,6 +123,9 @@ def step(world, held, before, after, push, h, shortest, scratch, kept, ratio, wo
         s.vz += h * push[2]
     work[0] += 1.0
     apply(contacts, count, bodies, after, 1.0)
+    for c in contacts[:count]:
+        if c.pr != 0.0:
+            turn(c, bodies, after, c.pr)
     hold(springs, pulls, bodies, after, h)
     alone = count == 0 and springs.shape[0] == 0
     converged = alone or solve(contacts, count, held, bodies, after, system, h, work)
