@@ -367,7 +367,7 @@ def sample_until_precise(
     *,
     together: bool,
     first: int = FIRST_SAMPLES,
-    on_batch: Callable[[list[OutcomesT], int], None] | None = None,
+    on_batch: Callable[[list[OutcomesT], int], object] | None = None,
 ) -> tuple[list[OutcomesT], int, bool]:
     """Run batches of samples, each doubling their number, until the probabilities are as precise as asked.
 

@@ -100,9 +100,6 @@ def compare(
                 on_verdict(verdict)
             return verdict
 
-        def tell(outcomes: list[Runs], samples: int) -> None:
-            so_far(outcomes, samples)
-
         def run(_: list[int], samples: int, start: int) -> list[Runs]:
             return contest.run(options, samples, start, keep=scenario.plan is not None)
 
@@ -114,7 +111,7 @@ def compare(
             run,
             together=True,
             first=first,
-            on_batch=None if on_verdict is None else tell,
+            on_batch=None if on_verdict is None else so_far,
         )
         verdict = so_far(here, samples)
         if search:
