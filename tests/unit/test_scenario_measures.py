@@ -143,7 +143,9 @@ def test_the_schema_has_every_measure_with_its_parameters_and_their_units():
         table = defined[f"{measure.__name__}Table"]["properties"]
         assert table["type"]["const"] == kind
         assert set(table) == {"type", "name", *(about.name for about in parameters(measure))}
-    number, _ = defined["BeltTable"]["properties"]["strength"]["anyOf"]
+    strength, _ = defined["BeltTable"]["properties"]["strength"]["anyOf"]
+    word, number = strength["oneOf"]
+    assert word["const"] == "unbreakable"
     assert number["unit"] == "N"
 
 
