@@ -21,6 +21,7 @@ from stayput.montecarlo.scenes import replay
 from stayput.report.verdict.assumptions import assumptions, settlement_assumptions
 from stayput.scenario import Scenario
 from stayput.simulation.placing import placed
+from stayput.uncertainty import USUAL
 from stayput.verification.contest import drawn_run
 from stayput.verification.options import compared_options
 
@@ -120,6 +121,35 @@ def test_measures_of_a_piece_are_in_place_as_stated() -> None:
     assert [option.name for option in compared_options(scenario)[0]] == ["none", "joined", "as stated"]
     assert {device.kind for device in scenario.run().devices} == {"l_bracket", "joint"}
     assert Scenario.parse(DRESSER | {"furniture": furniture}).to_toml() == scenario.to_toml()
+
+
+@pytest.mark.parametrize("plan", [{}, {"plan": {"width": 8.0, "length": 8.0}}], ids=["no plan", "plan"])
+def test_options_are_compared_with_what_simulate_runs(plan: dict[str, Any]) -> None:
+    """What pieces state stays in the baseline, and in options that do not name the piece."""
+    cart = box("cart", 0.5, 0.8, 40.0, at=[2.0, 2.0], measures=[{"type": "free_casters"}])
+    chest = box("chest", 0.45, 1.0, 60.0, at=[6.0, 6.0])
+    named = [option("glides", "chest", "felt_glides"), {"name": "no casters", "measures": {"cart": []}}]
+    scenario = Scenario.parse(
+        {
+            "furniture": [cart, chest],
+            "shaking": {"sine": SLOW},
+            "direction": 0.0,
+            "options": named,
+            "uncertainty": {"samples": 1, "as_stated": list(USUAL)},
+            **plan,
+        }
+    )
+    verdict, stated = sp.verify(scenario, progress=False), scenario.run()
+    slides = {name.option.name: name.pieces[0].slide.median for name in verdict.options}
+    assert verdict.without.option.name == "as stated"
+    assert slides["as stated"] == slides["glides"] == pytest.approx(stated["cart"].peak_slide)
+    assert slides["no casters"] < 1e-3 < 0.02 < slides["as stated"]
+    assert "without joints" not in verdict.sentence()
+    free = "The room as it is" if plan else "As stated: Casters, free on cart"
+    assert [verdict.label(verdict.without), verdict.without.devices] == [free, ()]
+    assert free in verdict.to_json()
+    with pytest.raises(sp.InputError, match="that of the option with what the pieces themselves state"):
+        Scenario.parse(scenario.stated_keys() | {"options": [{"name": "As stated"}]})
 
 
 @pytest.mark.parametrize(

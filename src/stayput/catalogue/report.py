@@ -73,7 +73,7 @@ TEXTS: dict[str, tuple[str, str]] = {
                    ("全計算に対する割合（括弧内の英字は入力の根拠の区分）。移動量：最大値の中央値。I10、"
                     "I50：10%、50%が転倒する値（{intensity}）。?は不確実。かっこ内：転倒の95%区間。")),
     "capacity_short": ("{share} % overturn at intensity", "{share}%転倒の計測震度"),
-    "change": ("Change from “Without measures”", "対策なしとの差"),
+    "change": ("Change from “{without}”", "「{without}」との差"),
     "why": ("Why", "理由"),
     "falls": ("overturned", "転倒"),
     "none": ("none", "なし"),

@@ -61,6 +61,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "same_name": ("{name} is {value}; it must not be that of {other}.",
                   "{name}が{value}になっていますが、{other}と同じです。別のものにしてください。"),
     "option_of_nothing": ("the option with nothing in place", "何も付けない案"),
+    "option_as_stated": ("the option with what the pieces themselves state", "各家具の指定どおりの案"),
     # The file itself
     "file": ("The scenario file is {file}; {reason}.", "シナリオファイル{file}：{reason}。"),
     "file_too_long": ("it may have {most} bytes at most", "ファイルは{most}バイトまでです"),

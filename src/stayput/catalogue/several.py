@@ -5,10 +5,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "joined": ("Joints", "接合"),
     "nothing": ("Without joints and measures", "接合・対策なし"),
     "on": ("{measure} on {pieces}", "{pieces}に{measure}"),
+    "as_stated": ("As stated: {what}", "現状：{what}"),
     # The verdict in a sentence
-    "stays_upright": (("In shaking of JMA intensity {strength} all furniture stays upright without joints "
-                       "and measures{doubt}."),
-                      "{strength}の揺れでも、接合・対策なしで家具は転倒しません{doubt}。"),
+    "stays_upright": (("In shaking of JMA intensity {strength} all furniture stays upright without "
+                       "{none}{doubt}."),
+                      "{strength}の揺れでも、{none}なしで家具は転倒しません{doubt}。"),
     "none_helps": (", and nothing that was compared makes that clearly rarer",
                    "比較した案では明らかには減りません。"),
     "none_possible": ("; nothing else was compared, as none of the options is possible",
@@ -17,8 +18,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     "if_there": ("{option}", "「{option}」なら"),
     "it": ("furniture", "家具のいずれかが"),
     "none": ("joints and measures", "接合・対策"),
-    "what": ("furniture", "接合・対策がなければ家具のいずれかが"),
-    "without": (" without joints and measures", ""),
+    "none_more": ("further measures", "追加の対策"),
+    "what": ("furniture", "{none}がなければ家具のいずれかが"),
+    "without": (" without {none}", ""),
     "most_often": ("most often: {name} ({share})", "最も多いのは「{name}」（{share}）です"),
     "loose": ("{name} overturns {falls}", "「{name}」は{falls}"),
     "joint_fails": ("mostly what joins {first} and {second}", "多くは「{first}」と「{second}」の接合部です"),

@@ -132,7 +132,8 @@ class Option:
         for what, on in held.items():
             pieces = " and ".join(on), "と".join(on)
             parts.append(phrase("several.on", measure=what, pieces=pieces) if on else what)
-        return joined(parts, "action_plan.plus")
+        label = joined(parts, "action_plan.plus")
+        return phrase("several.as_stated", what=label) if self.name == AS_STATED else label
 
 
 COMBINE = "combine"

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 if TYPE_CHECKING:
     MeasuresInPlace = list[SingleChoice]
 else:
-    MeasuresInPlace = Annotated[list[SingleChoice], Field(min_length=1, max_length=20)]
+    MeasuresInPlace = Annotated[list[SingleChoice], Field(max_length=20)]
 """Measures that are in place together."""
 
 _ROUND = ("diameter", "bottom", "top")
@@ -92,7 +92,8 @@ class PieceTable(ValueTable):
     gap: float = between(0.0, 100.0, "m", default=BEHIND, description="Between its back and that wall.")
     measures: MeasuresInPlace | None = Field(
         default=None,
-        description="Measures that hold it, each a table with its type: those of a preset or a box.",
+        description="Measures that hold it, each a table with its type: those of a preset or a box. They "
+        "are in place in every option that does not name the piece.",
     )
 
     @model_validator(mode="after")
@@ -205,9 +206,11 @@ class OptionTable(Table):
     name: Text = Field(description="What it is called.")
     joined: bool = Field(default=True, description="Whether the joints of the file are in place.")
     measures: dict[str, MeasuresInPlace] = Field(
-        default={}, description="The measures on each piece, by its name: tables with their types."
+        default={},
+        description="The measures on each piece, by its name: tables with their types. They replace all "
+        "measures that the piece itself states, [] removes these; pieces that are not named keep theirs.",
     )
 
-    def on(self, name: str) -> tuple[Measure, ...]:
+    def on(self, piece: PieceTable) -> tuple[Measure, ...]:
         """Make the measures on a piece."""
-        return in_place(self.measures.get(name))
+        return in_place(self.measures.get(piece.title, piece.measures))

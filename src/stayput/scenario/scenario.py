@@ -17,7 +17,7 @@ from stayput.errors import InputError, instance_of, no_length, not_allowed, refu
 from stayput.measures.measure import refuse_conflicts
 from stayput.motion.suites.suite import Suite
 from stayput.scenario.fields import between, checked
-from stayput.scenario.measures import NOTHING, MeasureChoice, Option, UncertaintyTable
+from stayput.scenario.measures import AS_STATED, NOTHING, MeasureChoice, Option, UncertaintyTable
 from stayput.scenario.pieces import OptionTable  # noqa: TC001 - pydantic reads the annotations
 from stayput.scenario.scene import SceneTables
 from stayput.scenario.shaking import ShakingTable
@@ -110,8 +110,14 @@ class Scenario(SceneTables):
             self._check_lone_piece()
         else:
             self._check_pieces()
-        _refuse_same_names(self.options, "measures" if self.alone else "options")
+        self._refuse_same_names(self.options, "measures" if self.alone else "options")
         return self
+
+    def _refuse_same_names(self, options: Sequence[Option], key: str = "measures") -> None:
+        taken = {NOTHING: phrase("scenario.option_of_nothing")}
+        if any(self.stated.on):
+            taken[AS_STATED] = phrase("scenario.option_as_stated")
+        refuse_same_names(key, [option.name for option in options], taken)
 
     def _check_lone_piece(self) -> None:
         for key in filter(self.piece.says, ("at", "along", "gap", "measures")):
@@ -133,8 +139,8 @@ class Scenario(SceneTables):
                 if not self.pieces[names.index(word_of(key, piece, names, key))].is_furniture:
                     where = phrase("scenario.of_a_solid")
                     raise InputError("common.left_out", f"{key}.{piece}", where=where)
-            for name in names:
-                checked(f"options[{number}]", partial(refuse_conflicts, option.on(name)))
+            for piece in self.pieces:
+                checked(f"options[{number}]", partial(refuse_conflicts, option.on(piece)))
 
     @property
     def dimensions(self) -> int:
@@ -240,7 +246,7 @@ class Scenario(SceneTables):
         copy = self.model_copy(update=changed)
         vars(copy).pop("ground_components", None)  # which a copy takes along
         if measures is not None:
-            _refuse_same_names(measures)
+            copy._refuse_same_names(measures)
             copy._own_options = tuple(measures)
         return copy
 
@@ -271,7 +277,7 @@ class Scenario(SceneTables):
             return self._own_options
         of_a_piece = (Option(table.title, (table.measures(),)) for table in self.measure_tables or ())
         of_several = (
-            Option(table.name, tuple(map(table.on, self.names)), table.joined and bool(self.joints))
+            Option(table.name, tuple(map(table.on, self.pieces)), table.joined and bool(self.joints))
             for table in self.option_tables or ()
         )
         return *of_a_piece, *of_several
@@ -357,11 +363,6 @@ class Scenario(SceneTables):
         scene, motion = self.scene(), self.motion()
         with self.naming_keys():
             return simulate(scene, motion, gravity=self.gravity)
-
-
-def _refuse_same_names(options: Sequence[Option], key: str = "measures") -> None:
-    taken = {NOTHING: phrase("scenario.option_of_nothing")}
-    refuse_same_names(key, [option.name for option in options], taken)
 
 
 def read_scenario(path: str | Path) -> Scenario:

@@ -70,7 +70,7 @@ def usual() -> tuple[Option, ...]:
 
 
 def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impossible, ...]]:
-    """Return the options that a verification compares, that with nothing first, and the impossible ones.
+    """Return the options that a verification compares, the baseline first, and the impossible ones.
 
     Raises
     ------
@@ -90,9 +90,9 @@ def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impo
         compared = named if named or scenario.in_python["measures"] == () else usual()
     else:
         with scenario.naming_keys():
-            stated = scenario.scene()
-            stated.refuse_wrong_places()
-            placed(stated)
+            scene = scenario.scene()
+            scene.refuse_wrong_places()
+            placed(scene)
         compared = named or (() if scenario.plan is not None else _usual_of_several(scenario))
     possible, impossible = list[Option](), list[Impossible]()
     for option in compared:
@@ -105,10 +105,11 @@ def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impo
     if named and not possible:
         with scenario.naming_file():
             raise impossible[0].error
-    nothing = Option(NOTHING, ((),) * len(scenario.names))
-    if scenario.plan is not None and not named:  # changes of the room as it is are looked for
-        nothing = scenario.stated
-    return (nothing, *possible), tuple(impossible)
+    stated = scenario.stated
+    # what is named, or tried in a room, changes the pieces as stated; else their own measures are compared
+    as_stated = any(stated.on) if named else scenario.plan is not None
+    baseline = stated if as_stated else Option(NOTHING, ((),) * len(scenario.names))
+    return (baseline, *possible), tuple(impossible)
 
 
 def _usual_of_several(scenario: Scenario) -> tuple[Option, ...]:

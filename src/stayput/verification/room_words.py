@@ -13,6 +13,7 @@ from stayput.fragility.probabilities import Probability, percent
 from stayput.measures.wall import REACH
 from stayput.model.floor_plan import PLACE_NAMES, Door, PersonPlace
 from stayput.montecarlo.counting import OVERTURNED
+from stayput.scenario.measures import AS_STATED
 from stayput.verification.changes import Change, wall_faced
 from stayput.verification.words import sentence_of, shaking_phrase, title
 from stayput.wording import called, default_name, inside, joined, name_quoted, name_within
@@ -153,7 +154,7 @@ def option_label(option: OptionVerdict, verdict: Verdict, language: str) -> str:
 
 def _label(option: OptionVerdict, verdict: Verdict) -> Phrase:
     """Return the same within a sentence: of options in a file their titles, else what changes."""
-    if verdict.scenario.options:
+    if verdict.scenario.options and option.option.name != AS_STATED:
         return title(option.option, verdict, "en"), title(option.option, verdict, "ja")
     changes = verdict.changes(option)
     return joined(label_of(change, verdict) for change in changes) if changes else phrase("rooms.as_it_is")

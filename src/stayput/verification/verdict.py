@@ -230,7 +230,7 @@ class Verdict(InJson):
     slide_limit : float
         Slide that counts as too far [m].
     options : tuple of OptionVerdict
-        The best first; exactly one of them has nothing in place, or is the room as it is.
+        The best first; exactly one of them has nothing in place, or is the scene as stated.
     motions, samples : int
         Motions, and Monte Carlo samples of each.
     runs : int
@@ -320,7 +320,7 @@ class Verdict(InJson):
 
     @property
     def without(self) -> OptionVerdict:
-        """The option with nothing in place, or the room as it is: what the others are compared with."""
+        """The option with nothing in place, or the scene as stated: what the others are compared with."""
         return next(option for option in self.options if option.change is None)
 
     @property

@@ -154,12 +154,12 @@ def _of_contents(verdict: Verdict) -> Phrase:
     clause = contents_out(best, verdict)
     stands = best.probabilities[OVERTURNED].estimate < SMALL and best.contents.out.estimate >= SMALL
     aside = ""
-    if best.option.measures and bare.runs:
+    if best is not without and bare.runs:
         aside = phrase("verification.contents_without", share=bare.share)
     # "it" is the piece of the sentence before: that one must be of the same measure, and of no installation
-    if stands and best.installed is None and (_helps(best) or not best.option.measures):
+    if stands and best.installed is None and (_helps(best) or best is without):
         return phrase("verification.stands_but", clause=clause, aside=aside)
-    if not best.option.measures:
+    if best is without:
         return phrase("verification.contents_alone", clause=clause)
     measure, held = _title_inside(best.option, verdict), "held" if best.installed is None else "well_held"
     held = phrase(f"verification.{held}")
@@ -176,16 +176,18 @@ def _headline(verdict: Verdict) -> Phrase:
     where, strength = _where(verdict), shaking_phrase(verdict)
     best, chance = verdict.best, verdict.without.probabilities[OVERTURNED]
     if math.isnan(chance.estimate):
-        return phrase("verification.no_bare_run", none=phrase(f"{where}.none"))
-    what = phrase(f"{where}.what", name=name_within(verdict.scenario.piece.title, PIECES_OF_RUNS))
-    bare = "" if verdict.scenario.alone else phrase("several.without")
+        return phrase("verification.no_bare_run", none=_none(verdict))
+    name = name_within(verdict.scenario.piece.title, PIECES_OF_RUNS)
+    what = phrase(f"{where}.what", name=name, none=_none(verdict))
+    bare = "" if verdict.scenario.alone else phrase("several.without", none=_none(verdict))
     falls = {"strength": strength, "what": what, "falls": falls_phrase(chance), "bare": bare}
     if _helps(best):
         option = phrase(f"{where}.if_there", option=_title_inside(best.option, verdict))
         share = best.probabilities[OVERTURNED].share
         return phrase("verification.better", **falls, option=option, share=share)
     if chance.estimate < SMALL:
-        return phrase(f"{where}.stays_upright", strength=strength, what=what, doubt=doubt(chance))
+        told = {"strength": strength, "what": what, "none": _none(verdict), "doubt": doubt(chance)}
+        return phrase(f"{where}.stays_upright", **told)
     more: Phrase | str = ""
     if len(verdict.options) > 1:
         more = phrase(f"{where}.none_helps")
@@ -197,6 +199,11 @@ def _headline(verdict: Verdict) -> Phrase:
 def _where(verdict: Verdict) -> str:
     """Return the module of the catalogue that tells what overturns: this piece, or any of several."""
     return "verification" if verdict.scenario.alone else "several"
+
+
+def _none(verdict: Verdict) -> Phrase:
+    """Return what is not in place in the option that the others are compared with."""
+    return phrase("several.none_more" if verdict.without.option.count else f"{_where(verdict)}.none")
 
 
 def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:
@@ -216,7 +223,7 @@ def _overturns(option: OptionVerdict, verdict: Verdict) -> Phrase:
     key = "no_clear_change"
     if change.clear:
         key = "less_often" if change.estimate < 0.0 else "more_often"
-    values = {"bare": bare.share, "held": held.share, "none": phrase(f"{where}.none")}
+    values = {"bare": bare.share, "held": held.share, "none": _none(verdict)}
     return phrase(f"verification.{key}", it=it, **values)
 
 

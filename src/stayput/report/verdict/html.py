@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from stayput.catalogue import phrase, say
+from stayput.catalogue import say
 from stayput.catalogue.names import STABILITY
 from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures import Measure, hold, parameters
@@ -103,11 +103,12 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
     holds = () if alone else (say("several.holds", language),)
     command = ["stayput", "verify", "scenario.toml", "--slide-limit", f"{verdict.slide_limit:g}"]
     held = [result for result in verdict.options if result.option.count]
-    drawn = [verdict.without, *[verdict.best] * bool(verdict.best.option.count)] if alone else []
+    drawn = _compared(verdict) if alone else []
     sheets, texts = ["verdict/report.css"], "report" if alone else "several"
     return {
         **shared_content(verdict, texts, text("report"), sheets, language),
         "alone": alone,
+        "without": title(verdict.without.option, verdict, language),
         "events": tables.event_headings(verdict, language),
         "simulations": tables.simulations(verdict, language),
         "impossible": tables.impossible_rows(verdict, language),
@@ -152,7 +153,7 @@ def _detail(result: OptionVerdict, verdict: Verdict, language: str) -> dict[str,
         **_drawn(verdict, result, language),
         "rank": result.rank,
         "about": [say(measure.about, language) for measure in measures],
-        "change": numbers.change(result.change, language),
+        "change": "" if result.change is None else numbers.change(result.change, language),
         "devices": tables.device_rows(result, language),
         "parameters": [(say(m.label, language), _parameters(m, language)) for m in measures],
     }
@@ -169,8 +170,8 @@ def _parameters(measure: Measure, language: str) -> Iterator[tuple[str, str, str
 def pairs_of(verdict: Verdict, language: str) -> list[dict[str, Any]]:
     """Return what a report shows of the typical and the worst case, run again.
 
-    The typical case is that without a measure, the worst one that of the best measure; without a best
-    measure both are those without one, alone.
+    The typical case is that of the baseline, the worst one that of the best option; where the baseline is
+    the best, both are its own, alone.
 
     Parameters
     ----------
@@ -181,7 +182,7 @@ def pairs_of(verdict: Verdict, language: str) -> list[dict[str, Any]]:
     """
     heading = word("histories", language)
     drawn = language if drawable(heading) == heading else "en"  # where no font has the letters
-    without = phrase("common.without" if verdict.scenario.alone else "several.nothing")
+    without = title(verdict.without.option, verdict, language)
     pairs: list[dict[str, Any]] = []
     for kind, member in (("typical", verdict.without.typical), ("worst", verdict.best.worst)):
         sides = _sides(verdict, member, language)
@@ -209,12 +210,15 @@ def pairs_of(verdict: Verdict, language: str) -> list[dict[str, Any]]:
 
 def _sides(verdict: Verdict, member: Member, language: str) -> list[tuple[str, Run]]:
     """Return labels and runs of what is shown side by side: no measure, and the best one, if it is one."""
-    scenario = verdict.scenario
-    shown = [verdict.without, verdict.best][: 1 + bool(verdict.best.option.count)]
     return [
-        (title(result.option, verdict, language), drawn_run(scenario, result.option, member))
-        for result in shown
+        (title(result.option, verdict, language), drawn_run(verdict.scenario, result.option, member))
+        for result in _compared(verdict)
     ]
+
+
+def _compared(verdict: Verdict) -> list[OptionVerdict]:
+    """Return the option that the others are compared with, and the best one if it is another."""
+    return [verdict.without] if verdict.best is verdict.without else [verdict.without, verdict.best]
 
 
 def place_of_the_measure(verdict: Verdict, held: Run, language: str) -> str:
