@@ -47,14 +47,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "what": ("{name}", "この家具は"),
     "better": (("In shaking of JMA intensity {strength} {what} overturns {falls}{bare}; with {option}, in "
                 "{share}."),
-               "{strength}の揺れで、{what}{falls}。{option}{share}です。"),
+               "{strength}の揺れで、{bare}{what}{falls}。{option}{share}です。"),
     "stays_upright": (("In shaking of JMA intensity {strength} {what} stays upright without any "
                        "measure{doubt}."),
                       "{strength}の揺れでも、{what}対策なしで転倒しません{doubt}。"),
     "not_ruled_out": (" in these runs; it may overturn in {share} of the cases",
                       "（今回の計算の範囲では。{share}の場合に転倒する可能性は否定できません）"),
     "bare_falls": ("In shaking of JMA intensity {strength} {what} overturns {falls}{bare}{more}.",
-                   "{strength}の揺れで、{what}{falls}。{more}"),
+                   "{strength}の揺れで、{bare}{what}{falls}。{more}"),
     "none_helps": (", and no measure that was compared makes that clearly rarer",
                    "比較した対策では明らかには減りません。"),
     # why an option stands where it does: clauses

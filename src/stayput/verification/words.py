@@ -173,21 +173,21 @@ def _helps(option: OptionVerdict) -> bool:
 
 def _headline(verdict: Verdict) -> Phrase:
     """Return how often something overturns without anything, and with the best option where that helps."""
-    where, strength = _where(verdict), shaking_phrase(verdict)
+    where, none, strength = _where(verdict), _none(verdict), shaking_phrase(verdict)
     best, chance = verdict.best, verdict.without.probabilities[OVERTURNED]
     if math.isnan(chance.estimate):
-        return phrase("verification.no_bare_run", none=_none(verdict))
-    name = name_within(verdict.scenario.piece.title, PIECES_OF_RUNS)
-    what = phrase(f"{where}.what", name=name, none=_none(verdict))
-    bare = "" if verdict.scenario.alone else phrase("several.without", none=_none(verdict))
+        return phrase("verification.no_bare_run", none=none)
+    unheld = verdict.scenario.alone and not verdict.without.option.count
+    what = phrase(f"{where}.what", name=name_within(verdict.scenario.piece.title, PIECES_OF_RUNS))
+    bare = "" if unheld else phrase("several.without", none=none)
     falls = {"strength": strength, "what": what, "falls": falls_phrase(chance), "bare": bare}
     if _helps(best):
         option = phrase(f"{where}.if_there", option=_title_inside(best.option, verdict))
         share = best.probabilities[OVERTURNED].share
         return phrase("verification.better", **falls, option=option, share=share)
     if chance.estimate < SMALL:
-        told = {"strength": strength, "what": what, "none": _none(verdict), "doubt": doubt(chance)}
-        return phrase(f"{where}.stays_upright", **told)
+        upright = f"{'verification' if unheld else 'several'}.stays_upright"
+        return phrase(upright, strength=strength, what=what, none=none, doubt=doubt(chance))
     more: Phrase | str = ""
     if len(verdict.options) > 1:
         more = phrase(f"{where}.none_helps")
