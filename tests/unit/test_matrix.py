@@ -162,7 +162,7 @@ def test_python_objects_in_the_place_of_tables(
 
 def test_own_quantities_are_drawn_for_every_piece() -> None:
     quantities = own_quantities(sp.Scenario.parse(scene("three", {}))).uncertainty.quantities
-    drawn = draws_of_several("ab", 1, 4, seed=1, quantities=quantities)
+    drawn = draws_of_several(2, 1, 4, seed=1, quantities=quantities)
     assert all(2.0 <= piece.mass <= 2.1 for draw in drawn[0] for piece in draw.pieces)
 
 

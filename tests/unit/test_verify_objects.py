@@ -45,8 +45,10 @@ def chances(verdict: sp.Verdict) -> dict[str, Any]:
     return {one.option.name: (one.probabilities, one.slide, one.tilt) for one in verdict.options}
 
 
-def test_objects_give_the_numbers_of_the_file_to_the_bit():
-    of_file = sp.verify(scenario(), levels=[], progress=False)
+def test_objects_give_the_numbers_of_the_file_to_the_bit_whatever_its_piece_is_called():
+    tables = scenario().stated_keys()
+    named = sp.Scenario.parse(tables | {"furniture": tables["furniture"] | {"name": "My shelf"}})
+    of_file = sp.verify(named, levels=[], progress=False)
     of_objects = verified(measures={"l_bracket": LBracket(), "pair": [Belt(), GelMats()]})
     assert chances(of_objects) == chances(of_file)
     again = sp.Scenario.parse(tomllib.loads(of_objects.scenario.to_toml()))

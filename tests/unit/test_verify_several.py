@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -55,7 +56,7 @@ DRESSER: dict[str, Any] = {
     "uncertainty": {"samples": 2},
 }
 SLOW = {"amplitude": 2.5, "frequency": 1.5, "duration": 3.0}
-DRAW = draws_of_several("abc", 1, 1, seed=2)[0][0]
+DRAW = draws_of_several(3, 1, 1, seed=2)[0][0]
 
 
 def option(name: str, piece: str, measure: str) -> dict[str, Any]:
@@ -171,29 +172,20 @@ def test_what_a_file_may_not_say(changed: dict[str, Any], said: str) -> None:
         Scenario.parse({**DRESSER, "joints": [], **changed})
 
 
-def test_draws_of_a_piece_depend_on_its_name_alone() -> None:
+def test_draws_of_a_piece_depend_on_its_number_alone() -> None:
     single = draws(2, 3, seed=1)
-    several, others = (draws_of_several(names, 2, 3, seed=1) for names in ("abc", "xbz"))
+    several, fewer = (draws_of_several(pieces, 2, 3, seed=1) for pieces in (3, 2))
     for motion, row in enumerate(several):
         for sample, draw in enumerate(row):
-            assert draw.pieces[1] == others[motion][sample].pieces[1]
-            assert draw.pieces[0] != others[motion][sample].pieces[0]
-            shared = {name: getattr(single[motion][sample], name) for name in ("friction", "wall_gap")}
-            assert {name: getattr(draw.room, name) for name in shared} == shared
-            assert (draw.lean, draw.room.lean) == (single[motion][sample].lean, 0.0)
+            assert draw.pieces[:2] == fewer[motion][sample].pieces
+            assert draw._replace(pieces=()) == fewer[motion][sample]._replace(pieces=())
+            assert replace(draw.pieces[0], lean=draw.lean) == single[motion][sample]
             assert len({piece.mass for piece in draw.pieces}) == 3
             assert len({piece.friction for piece in draw.pieces}) == 1
-    stated = draws_of_several("abc", 2, 3, seed=1, as_stated=["mass", "friction"])
+    stated = draws_of_several(3, 2, 3, seed=1, as_stated=["mass", "friction"])
     assert all(piece.mass == 1.0 for row in stated for draw in row for piece in draw.pieces)
     assert stated[0][0].between == 1.0
     assert stated[0][0].joints == several[0][0].joints != 1.0
-
-
-def test_draws_do_not_depend_on_the_order_of_the_pieces() -> None:
-    (several,), (turned,) = (draws_of_several(names, 1, 3, seed=1) for names in ("abc", "cab"))
-    for one, other in zip(several, turned, strict=True):
-        assert one.pieces == (*other.pieces[1:], other.pieces[0])
-        assert one._replace(pieces=()) == other._replace(pieces=())
 
 
 def test_what_is_drawn() -> None:
@@ -276,7 +268,7 @@ def test_a_bracket_that_reaches_the_wall_does_in_every_draw() -> None:
     scenario = parsed(room={**DRESSER["room"], "left_wall": {"gap": 0.1}})
     bracket = next(one for one in compared_options(scenario)[0] if one.name == "l_bracket")
     scene = scenario.scene(bracket)
-    drawn = draws_of_several("abc", 1, 16, seed=1)[0]
+    drawn = draws_of_several(3, 1, 16, seed=1)[0]
     gaps = [drawn_scene(scene, draw).room.left_wall.gap for draw in drawn]
     # the upper part's back is 2.5 cm nearer to the room than the lower one's
     assert max(gaps) == pytest.approx(0.15 - 0.025)
@@ -298,13 +290,12 @@ def test_a_verdict(verdict: Verdict) -> None:
         assert max(falls) <= option.probabilities["overturned"].fell <= sum(falls)
 
 
-def test_a_piece_has_the_runs_that_it_has_alone_in_any_order_with_what_cannot_reach_it() -> None:
+def test_a_piece_has_the_runs_that_it_has_alone_with_what_cannot_reach_it() -> None:
     near, far = box("near", 0.3, 1.2, 30.0), box("far", 0.4, 1.0, 40.0, at=[0.0, 30.0], heading=1.5)
     options = [option("sheet", "near", "anti_slip_sheet")]
     same: dict[str, Any] = {"joints": [], "room": {}, "options": options, "shaking": {"sine": SLOW}}
     verdicts = [
-        sp.verify(parsed(furniture=pieces, **same), progress=False)
-        for pieces in ([near], [near, far], [far, near])
+        sp.verify(parsed(furniture=pieces, **same), progress=False) for pieces in ([near], [near, far])
     ]
     for name in ("none", "sheet"):
         runs = [

@@ -63,7 +63,7 @@ class DrawOfSeveral(NamedTuple):
 
 
 def draws_of_several(
-    names: Sequence[str],
+    pieces: int,
     motions: int,
     samples: int,
     seed: int,
@@ -74,12 +74,14 @@ def draws_of_several(
     direction: float | None = 0.0,
     facing: float = 0.0,
 ) -> list[list[DrawOfSeveral]]:
-    """Return the draws of every motion; those of a piece depend on its name, and on no other piece.
+    """Return the draws of every motion; those of a piece depend on its number, and on no piece after it.
+
+    Those of the first piece are those of `stayput.montecarlo.sampling.draws`, which are of a lone piece.
 
     Parameters
     ----------
-    names : sequence of str
-        Names of the pieces.
+    pieces : int
+        How many there are.
     motions, samples, seed, start, as_stated, quantities
         As for `stayput.montecarlo.sampling.draws`.
     direction : float, optional
@@ -103,14 +105,15 @@ def draws_of_several(
         return [each[motion * samples : (motion + 1) * samples] for motion in range(motions)]
 
     shared = drawn({**usual, **like, "direction": turned})
-    of_pieces = [drawn({name: usual[name] for name in OWN}, piece) for piece in names]
+    further = [drawn({name: usual[name] for name in OWN}, str(number)) for number in range(1, pieces)]
 
     def draw(motion: int, sample: int) -> DrawOfSeveral:
         values = dict(shared[motion][sample])
         between, joints, lean, towards = (values.pop(name) for name in (*LIKE, "lean", "direction"))
-        pieces = tuple(Draw(**values | columns[motion][sample], lean=0.0) for columns in of_pieces)
+        own = [{}, *(columns[motion][sample] for columns in further)]
+        of_pieces = tuple(Draw(**values | columns, lean=0.0) for columns in own)
         points = towards if direction is None else direction
-        return DrawOfSeveral(pieces, between, joints, lean, points - facing)
+        return DrawOfSeveral(of_pieces, between, joints, lean, points - facing)
 
     return [[draw(motion, sample) for sample in range(samples)] for motion in range(motions)]
 
@@ -121,7 +124,7 @@ def draws_of_scenario(
     """Return the draws of what a scenario states, along the axes of what stands; see `draws_of_several`."""
     stated = scenario.uncertainty
     return draws_of_several(
-        scenario.names,
+        len(scenario.pieces),
         motions,
         samples,
         stated.seed,
