@@ -92,7 +92,8 @@ class PieceRun:
     tilt : ndarray, shape (samples,)
         Angle from rest [rad]; of a body that lies on its round side without what it has rolled.
     slide : ndarray, shape (samples,)
-        How far the base has slid or rolled in plan [m]; in the plane x' at the fulcrum.
+        How far the base has slid or rolled in plan over what it stands on [m]: of a piece on another as seen
+        from that, of several the one over which it slides farthest; in the plane x' at the fulcrum.
     slide_in_plan : ndarray, shape (samples, 2)
         The same along x and y [m].
     yaw : ndarray, shape (samples,)

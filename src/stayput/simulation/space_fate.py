@@ -279,7 +279,8 @@ LEFT = 0.01
 class Fate(NamedTuple):
     """What became of a body, the samples at which it overturned and fell off, where it did, and how it moved.
 
-    Its tilts [rad], how far it has slid in plan [m], and that along x and y, shape (samples, 2).
+    Its tilts [rad], how far it has slid in plan over what it stood on at first [m], and that along x and y,
+    shape (samples, 2).
     """
 
     outcome: Outcome
@@ -321,13 +322,12 @@ def fates_of(
     fates: list[Fate] = []
     for b, piece in enumerate(pieces):
         moved, pose = _moves(place[b], turn[b])
-        places, turned = _chosen(place[b], moved), _chosen(turn[b], moved)
-        turns = unrolled(piece, turned)
-        tilt, slide = tilts(piece.rest, turns)[pose], slides(piece, places, turns)
-        ways = np.linalg.norm(slide, axis=1)
-        way, most = ways[pose], int(ways.argmax())
+        places, turns = _chosen(place[b], moved), unrolled(piece, _chosen(turn[b], moved))
+        tilt = tilts(piece.rest, turns)[pose]
+        on = [_seen_from(a, b, place, turn) for a in np.flatnonzero(bears[:, b])] or [(place[b], turn[b])]
+        slid = max((_slid(piece, *seen) for seen in on), key=lambda each: each.way.max())
         if given_up or not np.isfinite(place[b]).all():
-            fates.append(Fate(Outcome.FAILED, None, None, tilt, way, slide[pose]))
+            fates.append(Fate(Outcome.FAILED, None, None, tilt, slid.way, slid.slide))
             continue
         overturned = _first(lies_on_floor(piece, places, turns)[pose])
         if overturned is None and touching[b].any():
@@ -344,15 +344,48 @@ def fates_of(
             outcome = Outcome.LEANING
         elif tilt.max() > ROCKED:
             outcome = Outcome.ROCKED
-        elif max(SLID, 2.0 * np.linalg.norm((slide - rolled(piece, turned))[most])) < ways[most]:
+        elif slid.rolled:
             outcome = Outcome.ROLLED
         elif np.ptp(places[:, 2]) > LIFTED:  # as in the plane, in the air too
             outcome = Outcome.ROCKED
         else:
-            turn_in_plan = np.abs(turns[:, :2, :2] - turns[0, :2, :2]).max()
-            outcome = Outcome.SLID if ways[most] > SLID or turn_in_plan > ROCKED else Outcome.RESTED
-        fates.append(Fate(outcome, overturned, fell_off, tilt, way, slide[pose]))
+            moves = slid.way.max() > SLID or slid.turned > ROCKED
+            outcome = Outcome.SLID if moves else Outcome.RESTED
+        fates.append(Fate(outcome, overturned, fell_off, tilt, slid.way, slid.slide))
     return fates
+
+
+class _Slid(NamedTuple):
+    """How a body has slid: along x and y and in sum [m], whether it has rolled, and its turn in plan."""
+
+    slide: NDArray[np.float64]
+    way: NDArray[np.float64]
+    rolled: bool
+    turned: float
+
+
+def _slid(piece: Piece, place: NDArray[np.float64], turn: NDArray[np.float64]) -> _Slid:
+    """Return how a body has slid over what it stands on; see `slides`."""
+    moved, pose = _moves(place, turn)
+    places, turned = _chosen(place, moved), _chosen(turn, moved)
+    turns = unrolled(piece, turned)
+    slide = slides(piece, places, turns)
+    ways = np.linalg.norm(slide, axis=1)
+    most = int(ways.argmax())
+    rolls = max(SLID, 2.0 * np.linalg.norm((slide - rolled(piece, turned))[most])) < ways[most]
+    turn_in_plan = np.abs(turns[:, :2, :2] - turns[0, :2, :2]).max()
+    return _Slid(slide[pose], ways[pose], bool(rolls), float(turn_in_plan))
+
+
+def _seen_from(
+    a: int, b: int, place: NDArray[np.float64], turn: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the poses of a body as they are seen from another, as if that stayed where it stood at first."""
+    back, first = np.swapaxes(turn[a], 1, 2), turn[a, 0]
+    places = (back @ (place[b] - place[a])[:, :, np.newaxis])[:, :, 0]
+    turns = back @ turn[b]
+    # differences from the first sample: what does not move stays where it is, to the bit
+    return place[b, 0] + (places - places[0]) @ first.T, turn[b, 0] + first @ (turns - turns[0])
 
 
 def _moves(
