@@ -22,7 +22,7 @@ from stayput.mechanics.columns import OVERTURNED_OUTCOME
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.montecarlo.scene_draws import drawn_shaking
 from stayput.montecarlo.scenes import trace_draw
-from stayput.scenario import read_scenario
+from stayput.scenario import read
 from stayput.simulation.space import results_of
 from stayput.simulation.space_engine import STEP
 from stayput.verification.changes import Change, refuse_unheld, with_changes
@@ -38,7 +38,7 @@ BEDROOM = Path(__file__).parents[1] / "examples" / "bedroom.toml"
 
 def ranked(turns: int) -> Table:
     """Time the first verdict and the whole ranking, in turns of one thread and of two."""
-    room = read_scenario(BEDROOM)
+    room = read(BEDROOM)
     sp.verify(room, progress=False)  # compiles, and makes the motions
     spent: dict[int, list[tuple[float, ...]]] = {1: [], 2: []}
     changes = 0
@@ -83,7 +83,7 @@ def overturned(contest: Contest, option: Option, body: int, step: float) -> list
 
 def held() -> Table:
     """Time runs of pieces held to a wall beside those of the same pieces free, and halve their steps."""
-    room = read_scenario(BEDROOM)
+    room = read(BEDROOM)
     contest = Contest(room, SLIDE_LIMIT, 1)
     table = Table(title=f"one thread, step {1e3 * STEP:g} ms", title_justify="left")
     for heading in ("piece", "measure", "ms a run", "to free", "overturned", "half step", "differ"):

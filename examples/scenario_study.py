@@ -12,7 +12,7 @@ import matplotlib.pyplot as plt
 
 import stayput as sp
 
-scenario = sp.read_scenario(Path(sys.argv[0]).with_name("bookcase.toml"))
+scenario = sp.read(Path(sys.argv[0]).with_name("bookcase.toml"))
 tables = scenario.model_dump(exclude_none=True)
 found = {}
 for gap in (0.0, 0.02, 0.20):

@@ -7,13 +7,22 @@ Will it stay put, what happens if it does not, and what helps? Public names are 
 __version__ = "0.1.0"
 
 
+SUCCESSORS = {"read_scenario": "read"}
+"""Public names that are gone, and the names that do what they did."""
+
+
 # Type checkers read the stub and never come here; the library itself is not fully typed.
 def __getattr__(name):  # pyright: ignore
-    import lazy_loader  # which takes longer to load than all else that the command line needs of this module
+    if name in SUCCESSORS:
+        from stayput.catalogue import say
 
-    public = lazy_loader.attach_stub(__name__, __file__)  # pyright: ignore
-    globals().update(zip(("__getattr__", "__dir__", "__all__"), public, strict=True))  # pyright: ignore
-    return getattr(__import__(__name__), name)  # pyright: ignore
+        raise AttributeError(say("common.name_gone", name=name, successor=SUCCESSORS[name]))
+    if "_load" not in globals():
+        import lazy_loader  # takes longer to load than all else that the command line needs of this module
+
+        public = lazy_loader.attach_stub(__name__, __file__)  # pyright: ignore
+        globals().update(zip(("_load", "__dir__", "__all__"), public, strict=True))  # pyright: ignore
+    return globals().get(name) or globals()["_load"](name)  # pyright: ignore
 
 
 def __dir__():  # pyright: ignore

@@ -57,7 +57,7 @@ from .report.verdict.exports import write_pelicun as write_pelicun
 from .rooms import ActionPlan as ActionPlan
 from .rooms import action_plan as action_plan
 from .scenario import Scenario as Scenario
-from .scenario import read_scenario as read_scenario
+from .scenario import read as read
 from .scenario.sweep import sweep as sweep
 from .simulation.boundary import overturning_map as overturning_map
 from .simulation.boundary import trace_boundary as trace_boundary

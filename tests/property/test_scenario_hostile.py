@@ -7,7 +7,7 @@ from damage import damaged
 from hypothesis import given, settings
 
 from stayput.errors import LONGEST_SENTENCE, InputError
-from stayput.scenario import Scenario, read_scenario
+from stayput.scenario import Scenario, read
 
 pytestmark = pytest.mark.hostile
 
@@ -62,7 +62,7 @@ def _read(file, content: bytes) -> Scenario | None:
     start = time.process_time()
     scenario, said = None, None
     try:
-        scenario = read_scenario(file)
+        scenario = read(file)
     except InputError as error:
         said = str(error)
     assert time.process_time() - start < 2.0

@@ -10,7 +10,7 @@ import pytest
 
 import stayput as sp
 
-TELEVISION = sp.read_scenario(Path(__file__).parents[2] / "examples" / "television.toml")
+TELEVISION = sp.read(Path(__file__).parents[2] / "examples" / "television.toml")
 
 
 def test_a_sweep_has_the_bits_of_single_runs() -> None:

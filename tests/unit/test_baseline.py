@@ -121,7 +121,7 @@ def test_an_offset_is_warned_of_wherever_the_record_is_used(tmp_path):
         assert japanese in cli(*command, "--lang", "ja")[1]
         assert "oscillates" not in cli(*command, "--set", "shaking.remove_mean=true")[1]
     with pytest.warns(sp.InputWarning, match=english):
-        sp.verify(sp.read_scenario(scenario), progress=False)
+        sp.verify(sp.read(scenario), progress=False)
     assert told(lambda: sp.read_motion(offset, unit="m/s²", remove_mean=True)) == []
     assert told(lambda: sp.read_motion(clean, unit="m/s²")) == []
     with pytest.warns(sp.InputWarning, match=english):
@@ -176,7 +176,7 @@ def test_the_report_says_that_the_mean_was_taken_off_and_how_to_do_so_again(tmp_
     record(tmp_path / "offset.csv", x=WAVE + 2.0)
     text = SCENARIO.format(record="offset.csv", more="remove_mean = true")
     (tmp_path / "scene.toml").write_text(text, encoding="utf-8")
-    verdict = sp.verify(sp.read_scenario(tmp_path / "scene.toml"), levels=[], progress=False)
+    verdict = sp.verify(sp.read(tmp_path / "scene.toml"), levels=[], progress=False)
     for language, said in (("en", "less the mean of each component"), ("ja", "各成分の平均を除去")):
         markdown = verdict.to_markdown(language)
         assert said in markdown

@@ -101,13 +101,13 @@ SEVERAL, ROOMS = {"dresser", "television"}, {"bedroom"}
 @pytest.mark.parametrize("file", sorted(EXAMPLES.glob("*.toml")), ids=lambda path: path.stem)
 def test_scenario_file(file):
     if file.stem in ROOMS or file.stem in SEVERAL:
-        run = sp.read_scenario(file).run()
+        run = sp.read(file).run()
     else:
-        run = sp.read_scenario(file).case().run()
+        run = sp.read(file).case().run()
     assert run.outcome is not sp.Outcome.FAILED
     assert run.motion.synthetic  # so it needs no other file
 
 
 def test_the_command_lines_example_is_the_bookcase_of_the_examples():
-    built_in, file = sp.Scenario.parse(EXAMPLE).case(), sp.read_scenario(EXAMPLES / "bookcase.toml").case()
+    built_in, file = sp.Scenario.parse(EXAMPLE).case(), sp.read(EXAMPLES / "bookcase.toml").case()
     assert (built_in.body, built_in.room) == (file.body, file.room)

@@ -109,7 +109,7 @@ def test_a_verdict_of_a_file_names_its_records_from_anywhere(tmp_path: Path, mon
     (tmp_path / "here" / "s.toml").write_text(
         '[furniture]\npreset = "bookcase"\n[shaking]\nrecord = "record.csv"\n[uncertainty]\nsamples = 4\n'
     )
-    found = sp.verify(sp.read_scenario("s.toml"), levels=[], progress=False)
+    found = sp.verify(sp.read("s.toml"), levels=[], progress=False)
     found.save("v.json")
     motion = found.scenario.motion()
     monkeypatch.chdir(tmp_path)

@@ -10,7 +10,7 @@ import pytest
 import stayput as sp
 from stayput.errors import InputError
 from stayput.model.body import FURNITURE
-from stayput.scenario import Scenario, read_scenario
+from stayput.scenario import Scenario, read
 from stayput.scenario.toml import kinds
 
 SCHEMA = Scenario.schema()
@@ -186,11 +186,11 @@ def test_a_record_stands_beside_its_scenario(tmp_path, monkeypatch):
     text = '[furniture]\npreset = "chest"\n[shaking]\nrecord = "record.txt"\nunit = "gal"\n'
     monkeypatch.chdir(tmp_path)
     file.write_text(text)
-    plain = read_scenario(file).case().motion
+    plain = read(file).case().motion
     assert plain.x[:4] == pytest.approx([0.0, 0.01, 0.02, 0.0])
     assert plain.z is None
     file.write_text(text + 'vertical = "up.txt"\nscale = 2.0\n')
-    both = read_scenario(file).case().motion
+    both = read(file).case().motion
     assert both.x[1] == pytest.approx(0.02)
     assert both.z[4] == pytest.approx(0.08)
 
@@ -207,10 +207,10 @@ def test_a_file_that_is_refused(tmp_path, content, message):
     file = tmp_path / "s.toml"
     file.write_bytes(content)
     with pytest.raises(InputError, match=message):
-        read_scenario(file)
+        read(file)
 
 
 def test_a_file_with_a_byte_order_mark_is_read(tmp_path):
     file = tmp_path / "s.toml"
     file.write_bytes(b"\xef\xbb\xbf[furniture]\npreset = 'chest'\n")
-    assert read_scenario(file).piece.title == "chest"
+    assert read(file).piece.title == "chest"

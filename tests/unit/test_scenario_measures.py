@@ -8,7 +8,7 @@ from commands import cli
 
 import stayput as sp
 from stayput.measures import MEASURES, GelMats, LBracket, TensionPole, WedgeStopper, parameters
-from stayput.scenario import Scenario, read_scenario
+from stayput.scenario import Scenario, read
 from stayput.scenario.measures import Option
 
 LEAST = {"furniture": {"preset": "bookcase"}}
@@ -48,7 +48,7 @@ def file(tmp_path):
 
 
 def test_what_the_file_says_arrives(file):
-    scenario = read_scenario(file)
+    scenario = read(file)
     assert [(option.name, option.measures) for option in scenario.options] == [
         ("l_bracket", (LBracket(strength=1200.0, screws="up"),)),
         ("stopper and pole", (WedgeStopper(), TensionPole(count=3))),

@@ -121,7 +121,7 @@ def test_a_file_of_several_pieces(tmp_path: Path, changed: dict[str, Any], said:
 def test_a_sweep_names_the_pieces_too(tmp_path: Path) -> None:
     file = written(tmp_path, PIECES | piece(2, at=[0.1, 0.0]) | joint())
     with pytest.raises(sp.InputError, match="'chest' and 'vase' begin") as caught:
-        sp.sweep(sp.read_scenario(file), {"gravity": [9.8]}, progress=False)
+        sp.sweep(sp.read(file), {"gravity": [9.8]}, progress=False)
     assert "「" not in caught.value.told("ja")
     assert "'chest'と'vase'" in caught.value.told("ja")
 
@@ -189,11 +189,13 @@ def test_what_a_scene_has_no_use_for(given: dict[str, Any], changed: dict[str, A
 
 
 def test_one_reader_takes_every_file(tmp_path: Path) -> None:
-    assert [
-        sp.read_scenario(EXAMPLES / f"{name}.toml").alone for name in ("verify", "television", "bedroom")
-    ] == [True, False, False]
+    assert [sp.read(EXAMPLES / f"{name}.toml").alone for name in ("verify", "television", "bedroom")] == [
+        True,
+        False,
+        False,
+    ]
     with pytest.raises(sp.InputError, match="furniture must here be one preset or box"):
-        sp.read_scenario(EXAMPLES / "television.toml").case()
+        sp.read(EXAMPLES / "television.toml").case()
     drum = tmp_path / "drum.toml"
     drum.write_text("[furniture]\ndiameter = 0.5\nheight = 1.6\nmass = 250.0\n")
     refused = cli("verify", drum, "--measure", "belt").stderr

@@ -5,7 +5,7 @@ import tracemalloc
 import pytest
 
 from stayput.errors import InputError
-from stayput.scenario import read_scenario
+from stayput.scenario import read
 from stayput.scenario.toml import read_toml
 
 WELL = '[furniture]\npreset = "bookcase"\n'
@@ -19,7 +19,7 @@ def refusal(tmp_path):
         file = tmp_path / "scenario.toml"
         file.write_text(text)
         with pytest.raises(InputError) as error:
-            read_scenario(file)
+            read(file)
         said = str(error.value)
         assert said.startswith("scenario.toml: ")
         assert said.endswith(".")

@@ -269,7 +269,7 @@ def test_the_table_of_several_pieces() -> None:
 
 
 def test_the_file_of_several_pieces() -> None:
-    scenario = sp.read_scenario(DRESSER)
+    scenario = sp.read(DRESSER)
     pieces = scenario.scene().pieces
     assert scenario.names == ("lower part", "upper part", "vase", "chest")
     assert pieces[1].at == pytest.approx((-0.05, 0.0, 0.9))

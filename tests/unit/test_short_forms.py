@@ -74,8 +74,8 @@ def test_other_values_are_short_too(value: Any, shown: str):
 
 
 def test_results_of_several_pieces_and_of_rooms_are_short():
-    several = sp.verify(sp.read_scenario("examples/television.toml"), progress=False)
+    several = sp.verify(sp.read("examples/television.toml"), progress=False)
     assert repr(several).startswith("Verdict(JMA ")
-    room = sp.verify(sp.read_scenario("examples/bedroom.toml"), changes=False, progress=False)
+    room = sp.verify(sp.read("examples/bedroom.toml"), changes=False, progress=False)
     assert repr(room).startswith("Verdict(JMA ")
     assert max(len(repr(several)), len(repr(room))) < 200

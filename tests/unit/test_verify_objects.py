@@ -131,7 +131,7 @@ def test_what_is_not_in_the_uncertainty_is_as_stated():
         ),
         (lambda: sp.verify(BODY, ROOM, shaking=6.0, measures=[Belt(), Belt()]), "belt"),
         (lambda: sp.verify(BODY, ROOM, shaking=6.0, uncertainty=FRICT), "friction"),
-        (lambda: sp.verify("bookcase.toml"), r"read_scenario\('bookcase.toml'\)"),
+        (lambda: sp.verify("bookcase.toml"), r"read\('bookcase.toml'\)"),
         (lambda: sp.verify(BODY, ROOM, shaking=np.zeros(99)), r"ndarray of length 99; .* Motion\(dt=0.01"),
     ],
 )

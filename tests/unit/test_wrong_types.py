@@ -129,7 +129,7 @@ GOOD: tuple[tuple[Callable[..., Any], dict[str, Any]], ...] = (
     (estimates.kaneko_hayashi, {"body": BODY} | PEAKS | GRAVITY | {"scatter": 0.5}),
     (estimates.kaneko_hayashi_median, {"body": BODY} | GRAVITY | {"frequency": 1.0}),
     (estimates.kaneko_hayashi_velocity, {"body": BODY}),
-    (sp.read_scenario, {"path": "none.toml"}),
+    (sp.read, {"path": "none.toml"}),
     (
         sp.read_motion,
         {"path": "none.csv", "columns": "x=1", "skip_lines": 1, "decimal_comma": True, "location": "00"},
@@ -228,4 +228,4 @@ def test_a_run_tells_which_pieces_it_has() -> None:
 
 def test_a_path_with_a_zero_byte_is_refused() -> None:
     with pytest.raises(sp.InputError, match="null byte"):
-        sp.read_scenario("a\0b")
+        sp.read("a\0b")

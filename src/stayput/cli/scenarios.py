@@ -59,7 +59,7 @@ def simulate(
         check_animation(animate)
     checked = flag.opened(scenario, said, (plot, animate), of_one={"--measure": measure})
     with compiling():
-        run = checked.run(flag.chosen_measures(checked, measure or []))
+        run = checked.run(flag.chosen_measures(checked, measure) if measure else None)
     sentence = say(sentences(run), lang)
     if plot is not None:
         plot_run(run, plot, title=sentence, language=lang)

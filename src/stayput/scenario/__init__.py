@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-from stayput.scenario.scenario import Scenario, read_scenario
+from stayput.scenario.scenario import Scenario, read
 
-__all__ = ["Scenario", "read_scenario"]
+__all__ = ["Scenario", "read"]

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, PrivateAttr, model_validator
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
@@ -96,6 +96,24 @@ class PieceTable(ValueTable):
         "are in place in every option that does not name the piece.",
     )
 
+    _in_python: Mapping[str, Any] = PrivateAttr(default_factory=dict[str, Any])
+
+    @property
+    def in_python(self) -> Mapping[str, Any]:
+        """The fields of its `Piece` that were given as Python objects and a file cannot state."""
+        return self._in_python
+
+    def with_python(self, fields: Mapping[str, Any]) -> Self:
+        """Return the same with fields of its `Piece` that a file cannot state."""
+        copy = self.model_copy()
+        copy._in_python = fields
+        return copy
+
+    @property
+    def own_measures(self) -> tuple[Measure, ...]:
+        """The measures that it states itself."""
+        return self._in_python.get("measures") or in_place(self.measures)
+
     @model_validator(mode="after")
     def _consistent(self) -> Self:
         self._check_shape()
@@ -103,7 +121,7 @@ class PieceTable(ValueTable):
         if self.measures is not None and not self.is_furniture:
             where = phrase("scenario.of_a_solid")
             raise InputError("common.left_out", "furniture.measures", where=where)
-        checked("furniture", lambda: self.standing(_stand_in(), in_place(self.measures)))
+        checked("furniture", lambda: self.standing(_stand_in(), self.own_measures))
         return self
 
     def _check_shape(self) -> None:
@@ -155,8 +173,8 @@ class PieceTable(ValueTable):
         InputError
             A body that is not possible, or a mesh that cannot be read.
         """
-        if self.is_furniture:
-            return self.body()
+        if self.is_furniture or "body" in self._in_python:
+            return self._in_python.get("body") or self.body()
         known = {"mass": self.mass} | ({} if self.base is None else {"base": self.base})
         if self.mesh is not None:
             return Body.mesh(folder / self.mesh, unit=self.unit or "", **known)
@@ -168,7 +186,8 @@ class PieceTable(ValueTable):
         """Make the piece of its body, with measures in place."""
         x, y, *up = self.at
         stated = self.model_dump(include={"heading", "on", "against", "along", "gap"})
-        return Piece(body, (x, y, up[0] if up else 0.0), measures=measures, name=self.title, **stated)
+        stated |= {**self._in_python, "body": body, "measures": measures}
+        return Piece(at=(x, y, up[0] if up else 0.0), name=self.title, **stated)
 
 
 class JointTable(Table):
@@ -213,4 +232,5 @@ class OptionTable(Table):
 
     def on(self, piece: PieceTable) -> tuple[Measure, ...]:
         """Make the measures on a piece."""
-        return in_place(self.measures.get(piece.title, piece.measures))
+        named = piece.title in self.measures
+        return in_place(self.measures[piece.title]) if named else piece.own_measures

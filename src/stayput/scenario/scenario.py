@@ -44,7 +44,7 @@ OF_PIECES = ("joints", "static_friction", "kinetic_friction", "options")
 class Scenario(SceneTables):
     """What stands where, how it is shaken and what is compared: the content of a scenario file.
 
-    Make one with `read_scenario` or `Scenario.parse`; both refuse what is wrong with one sentence.
+    Make one with `stayput.read` or `Scenario.parse`; both refuse what is wrong with one sentence.
 
     Examples
     --------
@@ -58,11 +58,11 @@ class Scenario(SceneTables):
 
     Several pieces, and a room with a plan:
 
-    >>> scenario = sp.read_scenario("examples/television.toml")
+    >>> scenario = sp.read("examples/television.toml")
     >>> run = scenario.run()
     >>> print(scenario.title, *((piece, str(run[piece].outcome)) for piece in run.names))
     Television on a stand ('stand', 'rocked') ('television', 'rocked')
-    >>> plan = sp.read_scenario("examples/bedroom.toml").scene().plan
+    >>> plan = sp.read("examples/bedroom.toml").scene().plan
     >>> plan.width, plan.length, [place.name for place in plan.places]  # m
     (3.6, 2.7, ['bed'])
     """
@@ -120,7 +120,7 @@ class Scenario(SceneTables):
         refuse_same_names(key, [option.name for option in options], taken)
 
     def _check_lone_piece(self) -> None:
-        for key in filter(self.piece.says, ("at", "along", "gap", "measures")):
+        for key in filter(self.piece.says, ("at", "along", "gap")):
             raise InputError("common.left_out", f"furniture.{key}", where=phrase("scenario.of_pieces"))
         if self.stated_dimensions == 2:
             self.room.room().refuse_side_walls()
@@ -217,10 +217,12 @@ class Scenario(SceneTables):
     def in_python(self) -> dict[str, Any]:
         """What was given as Python objects and a file does not say; None each where it was not."""
         quantities, stated = self.uncertainty.quantities, self.uncertainty.as_stated
+        pieces = [piece.in_python for piece in self.pieces]
         drawn = {name: marginal for name, marginal in quantities.marginals.items() if name not in stated}
         return {
             "motions": self.shaking.in_python,
             "building": self.shaking.building and self.shaking.building.in_python,
+            "pieces": pieces if any(pieces) else None,
             "measures": self._own_options,
             "quantities": None if quantities is QUANTITIES else Uncertainty(drawn),
         }
@@ -230,8 +232,11 @@ class Scenario(SceneTables):
         motions: Suite | None = None,
         measures: Sequence[Option] | None = None,
         quantities: Uncertainty | None = None,
+        pieces: Sequence[Mapping[str, Any]] | None = None,
     ) -> Self:
         """Return the same with Python objects in the place of its own tables, where they are given.
+
+        ``pieces``: of each the fields of a `Piece` that a file cannot state.
 
         Raises
         ------
@@ -243,6 +248,9 @@ class Scenario(SceneTables):
             changed["shaking"] = self.shaking.with_motions(motions)
         if quantities is not None:
             changed["uncertainty"] = self.uncertainty.with_quantities(quantities)
+        if pieces is not None:
+            tables = [table.with_python(fields) for table, fields in zip(self.pieces, pieces, strict=True)]
+            changed["furniture"] = tables if isinstance(self.furniture, list) else tables[0]
         copy = self.model_copy(update=changed)
         vars(copy).pop("ground_components", None)  # which a copy takes along
         if measures is not None:
@@ -262,7 +270,8 @@ class Scenario(SceneTables):
         if parts.get("building") is not None:
             data = {**data, "shaking": {**data["shaking"], "building": parts["building"]}}
         scenario = cls.parse(data, parts["folder"], parts["file"])
-        return scenario.with_python(parts["motions"], parts["measures"], parts["quantities"])
+        given = (parts.get(name) for name in ("motions", "measures", "quantities", "pieces"))
+        return scenario.with_python(*given)
 
     @property
     def contents(self) -> Contents | None:
@@ -317,13 +326,13 @@ class Scenario(SceneTables):
         """Where the axes point along which what stands is run [rad]: those of a lone piece, or the plan's."""
         return self.piece.heading if self.alone else 0.0
 
-    def case(self, measures: Sequence[Measure] = ()) -> Case:
+    def case(self, measures: Sequence[Measure] | None = None) -> Case:
         """Make the case of a lone piece: body, room, motion, initial state and gravity.
 
         Parameters
         ----------
-        measures : sequence of Measure
-            What is in place; those of the file are not, unless they are given here.
+        measures : sequence of Measure, optional
+            What is in place; by default what the piece itself states. Those that are compared are not.
 
         Raises
         ------
@@ -338,17 +347,17 @@ class Scenario(SceneTables):
             self.motion(),
             initial=self.initial.state(),
             gravity=self.gravity,
-            measures=tuple(measures),
+            measures=self.piece.own_measures if measures is None else tuple(measures),
             dimensions=cast("Dimensions | None", self.stated_dimensions),
         )
 
-    def run(self, measures: Sequence[Measure] = ()) -> Run:
+    def run(self, measures: Sequence[Measure] | None = None) -> Run:
         """Simulate what stands, as the file states it.
 
         Parameters
         ----------
-        measures : sequence of Measure
-            What is in place on a lone piece.
+        measures : sequence of Measure, optional
+            What is in place on a lone piece; by default what it states itself.
 
         Raises
         ------
@@ -365,7 +374,7 @@ class Scenario(SceneTables):
             return simulate(scene, motion, gravity=self.gravity)
 
 
-def read_scenario(path: str | Path) -> Scenario:
+def read(path: str | Path) -> Scenario:
     """Read a scenario file: of one piece, of several, or of a room with a plan.
 
     Parameters
@@ -381,7 +390,7 @@ def read_scenario(path: str | Path) -> Scenario:
     Examples
     --------
     >>> import stayput as sp
-    >>> scenario = sp.read_scenario("examples/verify.toml")
+    >>> scenario = sp.read("examples/verify.toml")
     >>> for option in scenario.options:
     ...     run = scenario.run(option.measures)
     ...     print(f"{option.name}: {run.outcome}")

@@ -21,7 +21,7 @@ from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import WALLS_AROUND, Room
 from stayput.scenario.fields import TABLE, Table, Text, ValueTable, between, checked, fields_of, named, one_of
 from stayput.scenario.measures import AS_STATED, Option
-from stayput.scenario.pieces import Coordinate, JointTable, PieceTable, in_place
+from stayput.scenario.pieces import Coordinate, JointTable, PieceTable
 from stayput.scenario.tables import RoomTable
 from stayput.scenario.toml import refusal_of
 from stayput.simulation.scene import MOST_BODIES, Joint, Scene, refuse_places
@@ -268,7 +268,7 @@ class SceneTables(Table):
     @property
     def stated(self) -> Option:
         """The pieces as the file states them: with its joints, and with the measures of its pieces."""
-        measures = tuple(in_place(piece.measures) for piece in self.pieces)
+        measures = tuple(piece.own_measures for piece in self.pieces)
         return Option(AS_STATED, measures, bool(self.joints))
 
     def scene(self, option: Option | None = None) -> Scene:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, fields, replace
 from os import PathLike
@@ -18,6 +19,7 @@ from stayput.fragility.intensity_measures import IntensityMeasure, intensity_mea
 from stayput.measures import MEASURES, Measure
 from stayput.measures.measure import refuse_conflicts
 from stayput.model.body import Body
+from stayput.model.floor_plan import FloorPlan, PersonPlace
 from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.motion.record import Motion
@@ -25,8 +27,15 @@ from stayput.motion.suites.suite import Suite
 from stayput.scenario.measures import NOTHING, Option, table_of
 from stayput.scenario.scenario import Scenario
 from stayput.simulation.case import Case
+from stayput.simulation.piece import Piece
+from stayput.simulation.scene import Joint, Scene
 from stayput.uncertainty import Uncertainty
 from stayput.verification.compare import compare
+
+AXES = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+
+SAME_HEIGHT = 1e-6
+"""How far what stands on a piece may be above or below its top, by rounding [m]."""
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -42,8 +51,7 @@ MeasureSets = Sequence[Measure | Sequence[Measure]] | Mapping[str, Measure | Seq
 
 
 def scenario_of(
-    body: Body,
-    room: Room,
+    stands: Tables,
     shaking: StatedShaking,
     measures: MeasureSets | None = None,
     uncertainty: Uncertainty | None = None,
@@ -56,24 +64,12 @@ def scenario_of(
 
     Parameters
     ----------
-    body : Body
-        What stands.
-    room : Room
-        Where it stands.
-    shaking : Motion, Suite, sequence of Motion, str, float or mapping
-        Motions as they are; or the JMA intensity of the ground or its class, "6-upper", under the built-in
-        suite; or what ``[shaking]`` of a scenario file says.
-    measures : sequence or mapping, optional
-        What is compared; each a `Measure`, of one's own as well, or several that are in place together. None
-        are with none in it; the usual ones by default.
-    uncertainty : Uncertainty, optional
-        The quantities that are drawn, by the names of `stayput.uncertainty.USUAL`; all others are as stated.
-    building : Building or ShearModel, optional
-        What stands between the ground, of which the motions are then, and the body.
-    storey : int, optional
-        The storey where the body stands.
+    stands : tuple
+        What stands where.
+    shaking, measures, uncertainty, building, storey
+        As for `verify`.
     tables : mapping
-        Further tables and keys of a scenario file, such as ``{"uncertainty": {"samples": 100}}``.
+        Further tables of a scenario file, such as ``{"uncertainty": {"samples": 100}}``.
 
     Raises
     ------
@@ -82,12 +78,6 @@ def scenario_of(
     """
     shaking = _plain(shaking)
     motions = _motions(shaking)
-    if instance_of("body", body, Body).shape is not None:
-        raise InputError("model.another_shape", "body")
-    data: dict[str, Any] = {
-        "furniture": _set_fields(body),
-        "room": _room_table(instance_of("room", room, Room)),
-    }
     stated: dict[str, Any] = {}
     if motions is None:
         table = {"intensity": shaking} if isinstance(shaking, str | float | int) else shaking
@@ -97,39 +87,121 @@ def scenario_of(
             if name in stated:
                 raise InputError("scenario.only_one", name, other=f"shaking.{name}")
             stated[name] = instance_of(name, _plain(value), kind)
-    data["shaking"] = stated
+    data: dict[str, Any] = {**stands[0], **_plain(dict(tables)), "shaking": stated}
     sets = named_sets(() if measures is None else measures)
-    in_files = all(type(item) is MEASURES.get(item.kind) for named in sets for item in named.measures)
+    if measures is not None and isinstance(data["furniture"], list):
+        raise InputError("common.left_out", "measures", where=phrase("scenario.of_a_lone_piece"))
+    in_files = all(_in_files(named.measures) for named in sets)
     if sets and in_files:
         data["measures"] = [
             {"name": named.name, "combine": [table_of(item) for item in named.measures]} for named in sets
         ]
-    scenario = Scenario.parse(data | _plain(dict(tables)))
+    scenario = Scenario.parse(data)
     if uncertainty is not None:
         instance_of("uncertainty", uncertainty, Uncertainty)
     compared = None if in_files and (sets or measures is None) else sets
-    return scenario.with_python(motions, compared, uncertainty)
+    return scenario.with_python(motions, compared, uncertainty, stands[1] if any(stands[1]) else None)
 
 
-def scenario_of_case(
-    case: Case,
-    measures: MeasureSets | None = None,
-    uncertainty: Uncertainty | None = None,
-    *,
-    tables: Mapping[str, Any] = MappingProxyType({}),
-) -> Scenario:
-    """Make a scenario of a case; its own measures are compared with none, beside others."""
-    if case.contact != "coulomb":
-        raise not_allowed("model.contact", repr(case.contact), "verification.needs_coulomb", "contact")
-    in_place = named_sets([case.measures]) if case.measures else []
-    own_tables: dict[str, Any] = {"initial": asdict(case.initial), "gravity": case.gravity, "direction": 0.0}
-    if case.dimensions is not None:
-        own_tables["dimensions"] = case.dimensions
-    further = named_sets(() if measures is None else measures)
-    sets = {named.name: named.measures for named in (*in_place, *further)}
-    tables = dict(tables) | own_tables
-    compared = None if measures is None and not in_place else sets
-    return scenario_of(case.body, case.room, case.motion, compared, uncertainty, tables=tables)
+Tables = tuple[dict[str, Any], list[dict[str, Any]]]
+"""Tables of a scenario file that say what stands where, and of each piece the fields that no file states."""
+
+
+def _tables_of(what: Body | Case | Scene, room: Room) -> Tables:
+    if isinstance(what, Body):
+        if what.shape is not None:
+            return _tables_of(Scene([Piece(what)], room), room)
+        return {"furniture": _set_fields(what), "room": _room_table(instance_of("room", room, Room))}, []
+    if isinstance(what, Scene):
+        return _tables_of_scene(what)
+    if what.contact != "coulomb":
+        raise not_allowed("model.contact", repr(what.contact), "verification.needs_coulomb", "contact")
+    if what.body.shape is not None:
+        raise InputError("model.another_shape", "body")
+    tables: dict[str, Any] = {
+        "furniture": _set_fields(what.body) | _measures_table(what.measures),
+        "room": _room_table(what.room),
+        "initial": asdict(what.initial),
+        "gravity": what.gravity,
+        "direction": 0.0,
+    }
+    if what.dimensions is not None:
+        tables["dimensions"] = what.dimensions
+    return tables, [_own_measures(what.measures)]
+
+
+def _tables_of_scene(scene: Scene) -> Tables:
+    given = [_beyond_files(piece) for piece in scene.pieces]
+    furniture = [_piece_table(scene, number) for number in range(len(scene.pieces))]
+    room, plan = _room_table(scene.room), scene.plan
+    tables: dict[str, Any] = {"furniture": furniture, "room": room}
+    if plan is not None:
+        if plan.walls != FloorPlan.__dataclass_fields__["walls"].default:
+            room["walls"] = plan.walls
+        tables["plan"] = {"width": plan.width, "length": plan.length}
+        tables["doors"], tables["windows"] = [*map(asdict, plan.doors)], [*map(asdict, plan.windows)]
+        tables["places"] = [_place_table(place) for place in plan.places]
+    elif len(furniture) == 1 and not given[0].keys() - {"measures"} and _stands_plainly(scene.pieces[0]):
+        return tables | {"furniture": furniture[0]}, given
+    static, kinetic = scene.friction
+    tables |= {"static_friction": static, "kinetic_friction": kinetic}
+    tables["joints"] = [_joint_table(joint, scene.names) for joint in scene.joints]
+    return tables, given
+
+
+def _stands_plainly(piece: Piece) -> bool:
+    """Return whether a piece stands as a lone piece of a file does, in whose axes the walls are."""
+    return piece.at == (0.0, 0.0, 0.0) and piece.heading == 0.0
+
+
+def _piece_table(scene: Scene, number: int) -> dict[str, Any]:
+    piece, name = scene.pieces[number], scene.names[number]
+    body, (x, y, z) = piece.body, piece.at
+    # a mesh is what a file says of any shape; the body itself takes its place
+    table = _set_fields(body) if body.shape is None else {"mesh": name, "unit": "m", "mass": body.mass}
+    table["name"] = name
+    if not _stands_plainly(piece):
+        table |= {"at": [x, y, z], "heading": piece.heading}
+    for below in range(number if z > 0.0 else 0):
+        other = scene.pieces[below]
+        (low_x, high_x), (low_y, high_y), (_, top) = map(other.reach, AXES)
+        if abs(top - z) <= SAME_HEIGHT and low_x <= x <= high_x and low_y <= y <= high_y:
+            table |= {"on": scene.names[below], "at": [x - other.at[0], y - other.at[1]]}
+    return table | _measures_table(piece.measures)
+
+
+def _beyond_files(piece: Piece) -> dict[str, Any]:
+    """Return the fields of a piece that a file cannot state: a shape, how it moves at first, own devices."""
+    moves = {name: getattr(piece, name) for name in ("tilt", "velocity", "rotation_rate")}
+    beyond: dict[str, Any] = {name: value for name, value in moves.items() if any(value)}
+    if piece.body.shape is not None:
+        beyond["body"] = piece.body
+    return beyond | _own_measures(piece.measures)
+
+
+def _measures_table(measures: Sequence[Measure]) -> dict[str, Any]:
+    """Return the key of a piece that states measures which files know."""
+    return {"measures": [*map(table_of, measures)]} if measures and _in_files(measures) else {}
+
+
+def _own_measures(measures: Sequence[Measure]) -> dict[str, Any]:
+    """Return the field of a piece with measures that files do not know."""
+    return {} if _in_files(measures) else {"measures": tuple(measures)}
+
+
+def _in_files(measures: Sequence[Measure]) -> bool:
+    """Return whether files know all of these measures."""
+    return all(type(measure) is MEASURES.get(measure.kind) for measure in measures)
+
+
+def _joint_table(joint: Joint, names: Sequence[str]) -> dict[str, Any]:
+    stated = {key: value for key, value in _set_fields(joint).items() if value != math.inf}
+    return stated | {"first": names[joint.first], "second": names[joint.second]}
+
+
+def _place_table(place: PersonPlace) -> dict[str, Any]:
+    table = _set_fields(place)
+    return table | {"kind": "bed" if table.pop("blocks") else "desk"}
 
 
 def named_sets(measures: MeasureSets) -> list[Option]:
@@ -167,13 +239,15 @@ def _motions(shaking: StatedShaking) -> Suite | None:
     return Suite(list_of("shaking", shaking, Motion))
 
 
-def _set_fields(value: Body | Floor | Wall | Ceiling, base: Floor | None = None) -> dict[str, Any]:
+def _set_fields(
+    value: Body | Floor | Wall | Ceiling | Joint | PersonPlace, base: Floor | None = None
+) -> dict[str, Any]:
     """Return the fields of a value that say something, or differ from another; with lists for tuples."""
     table: dict[str, Any] = {}
     for field in fields(value):
         entry: object = getattr(value, field.name)
         if entry is not None and (base is None or entry != getattr(base, field.name)):
-            table[field.name] = [*cast("tuple[float, float]", entry)] if isinstance(entry, tuple) else entry
+            table[field.name] = [*cast("tuple[float, ...]", entry)] if isinstance(entry, tuple) else entry
     return table
 
 
@@ -191,7 +265,7 @@ def _room_table(room: Room) -> dict[str, Any]:
 
 
 def verify(
-    what: Scenario | Case | Body,
+    what: Scenario | Case | Scene | Body,
     room: Room | None = None,
     *,
     shaking: StatedShaking | None = None,
@@ -221,10 +295,12 @@ def verify(
 
     Parameters
     ----------
-    what : Body, Case or Scenario
-        What stands. A case has its room, its motion, which comes from where it says, and its own measures; a
-        scenario says everything. Where the motions of a body come from is drawn, if it has a length. Of
-        several pieces joints and measures on each are compared, and of a room single changes of it.
+    what : Body, Scene, Case or Scenario
+        What stands. A scene has its room. A case has its room and its motion, which comes from where it says;
+        a scenario says everything. Where the motions of a body or a scene come from is drawn, if they have
+        two components. Of several pieces joints and measures on each are compared, and of a room single
+        changes of it. The measures of pieces and cases themselves are in place in what others are compared
+        with, and are compared with none where there are no others.
     room : Room, optional
         Where a body stands; on a wooden floor without walls by default.
     shaking : Motion, Suite, sequence of Motion, str, float or mapping
@@ -304,22 +380,22 @@ def verify(
     place: dict[str, Any] = {"building": building, "storey": storey}
     in_python = {"room": room, "shaking": shaking, **place, "measures": measures, "uncertainty": uncertainty}
     if isinstance(what, str | PathLike):
-        raise InputError("common.only_a_path", "what", value=repr(str(what)), reader="read_scenario")
-    subject = instance_of("what", what, (Scenario, Case, Body))
+        raise InputError("common.only_a_path", "what", value=repr(str(what)), reader="read")
+    subject = instance_of("what", what, (Scenario, Case, Scene, Body))
     tables: dict[str, Any] = {"uncertainty": stated} if stated else {}
-    match subject:
-        case Body():
-            if shaking is None:
-                raise InputError("scenario.missing", "shaking", allowed=phrase("verification.no_shaking"))
-            scenario = scenario_of(
-                subject, room or Room(), shaking, measures, uncertainty, **place, tables=tables
-            )
-        case Case():
+    if isinstance(subject, Scenario):
+        _refuse_beside(subject, in_python | settings)
+        scenario = subject
+    else:
+        if isinstance(subject, Case):
             _refuse_beside(subject, {key: in_python[key] for key in ("room", "shaking", *place)})
-            scenario = scenario_of_case(subject, measures, uncertainty, tables=tables)
-        case _:
-            _refuse_beside(subject, in_python | settings)
-            scenario = subject
+            shaking = subject.motion
+        elif isinstance(subject, Scene):
+            _refuse_beside(subject, {"room": room})
+        if shaking is None:
+            raise InputError("scenario.missing", "shaking", allowed=phrase("verification.no_shaking"))
+        stands = _tables_of(subject, Room() if room is None else room)
+        scenario = scenario_of(stands, shaking, measures, uncertainty, **place, tables=tables)
     further = list_of("intensity_measures", intensity_measures, IntensityMeasure)
     known = dict.fromkeys(intensity_measure(measure.key, "intensity_measures") for measure in further)
     return compare(
@@ -336,7 +412,7 @@ def verify(
     )
 
 
-def _refuse_beside(what: Scenario | Case, stated: dict[str, Any]) -> None:
+def _refuse_beside(what: Scenario | Case | Scene, stated: dict[str, Any]) -> None:
     """Refuse what something says already, given beside it."""
     for name, value in stated.items():
         if value is not None:

@@ -186,8 +186,9 @@ def shaken_notes(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
         if verdict.scenario.plan is None:
             yield _grade(graded, verdict)
         return
-    yield from _estimate(verdict)
-    yield from _field(verdict)
+    if not verdict.without.option.count:  # the formulas know of no measures
+        yield from _estimate(verdict)
+        yield from _field(verdict)
     yield _grade(graded, verdict)
     if any(slides_off(option, verdict) for option in verdict.options):
         yield phrase("verification.slides_off", far=FAR)

@@ -7,7 +7,7 @@ The earthquakes are what is asked, so they have no grade.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import Phrase, phrase
@@ -78,7 +78,7 @@ def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impo
         Pieces that stand in a wall or in the ceiling, what the file states, or options of which none can be
         put in place.
     """
-    named, room = scenario.options, scenario.room.room()
+    named, stated, room = scenario.options, scenario.stated, scenario.room.room()
 
     def put_in_place(option: Option) -> object:
         if scenario.alone:
@@ -87,7 +87,9 @@ def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impo
 
     if scenario.alone:
         refuse_bad_start(scenario.piece.body(), room, scenario.initial.state())
-        compared = named if named or scenario.in_python["measures"] == () else usual()
+        compared = named or (() if scenario.in_python["measures"] == () else usual())
+        if not named and any(stated.on):
+            compared = (replace(stated, name=stated.generated_name),)
     else:
         with scenario.naming_keys():
             scene = scenario.scene()
@@ -105,7 +107,6 @@ def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impo
     if named and not possible:
         with scenario.naming_file():
             raise impossible[0].error
-    stated = scenario.stated
     # what is named, or tried in a room, changes the pieces as stated; else their own measures are compared
     as_stated = any(stated.on) if named else scenario.plan is not None
     baseline = stated if as_stated else Option(NOTHING, ((),) * len(scenario.names))
