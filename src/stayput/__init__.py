@@ -16,7 +16,7 @@ def __getattr__(name):  # pyright: ignore
     if name in SUCCESSORS:
         from stayput.catalogue import say
 
-        raise AttributeError(say("common.name_gone", name=name, successor=SUCCESSORS[name]))
+        raise AttributeError(say("common.name_gone", name=name, successor=SUCCESSORS[name]))  # pyright: ignore
     if "_load" not in globals():
         import lazy_loader  # takes longer to load than all else that the command line needs of this module
 

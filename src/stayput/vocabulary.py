@@ -65,7 +65,10 @@ OTHER_NAMES: dict[str, dict[str, str]] = {
         "免震": "base-isolated",
         "免震建物": "base-isolated",
     },
-    "intensity": {label.removeprefix("震度"): key for key, (_, label) in names.INTENSITIES.items()},
+    "intensity": {
+        **{label.removeprefix("震度"): key for key, (_, label) in names.INTENSITIES.items()},
+        **{key.replace("-lower", "-").replace("-upper", "+"): key for key in names.INTENSITIES},
+    },
 }
 """Further names, beside those that the catalogue tells."""
 

@@ -94,16 +94,9 @@ def test_script(script):
     runpy.run_path(str(script), run_name="__main__")
 
 
-SEVERAL, ROOMS = {"dresser", "television"}, {"bedroom"}
-"""Files of several pieces, and of rooms."""
-
-
 @pytest.mark.parametrize("file", sorted(EXAMPLES.glob("*.toml")), ids=lambda path: path.stem)
 def test_scenario_file(file):
-    if file.stem in ROOMS or file.stem in SEVERAL:
-        run = sp.read(file).run()
-    else:
-        run = sp.read(file).case().run()
+    run = sp.read(file).run()
     assert run.outcome is not sp.Outcome.FAILED
     assert run.motion.synthetic  # so it needs no other file
 

@@ -224,12 +224,24 @@ def test_usual_measures_are_those_that_can_be_applied_here():
     assert {"l_bracket", "tension_pole", "wedge_stopper + tension_pole"} <= set(near)
 
 
+@pytest.mark.parametrize(("stated", "meant"), [("6+", 6.25), ("６－", 5.75), ("5-", 4.75), ("5+", 5.25)])
+def test_classes_are_known_by_their_signs(stated: str, meant: float):
+    assert sp.near_fault().to_intensity(stated).intensity == pytest.approx(meant)
+
+
+def test_the_scale_of_intensity_ends():
+    with pytest.raises(sp.InputError, match=r"shaking\.intensity is 8; it must be .*-3 and 7\.5"):
+        scenario(shaking={"intensity": 8})
+    with pytest.warns(sp.InputWarning, match=r"none above 7 has been recorded"):
+        scenario(shaking={"intensity": 7.2})
+
+
 def test_what_cannot_be_verified():
     with pytest.raises(sp.InputError, match="must be 'coulomb' for a verification"):
         sp.verify(sp.Case(sp.Body(0.3, 1.8, 60.0), sp.Room(), sp.near_fault(), "paper"))
     with pytest.raises(sp.InputError, match="not increasing"):
         verify(scenario(), levels=[6.0, 5.0])
-    with pytest.raises(sp.InputError, match="is 700; it must be between -3 and 9"):
+    with pytest.raises(sp.InputError, match=r"is 700; it must be between -3 and 7\.5"):
         verify(scenario(), levels=[6.0, 700.0])
     with pytest.raises(sp.InputError):
         verify(scenario(room={"floor": "carpet"}, measures=[{"type": "tension_pole"}]), levels=())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import tomllib
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
@@ -10,7 +11,7 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.measures import Belt, GelMats, LBracket
+from stayput.measures import Belt, FreeCasters, GelMats, LBracket
 from stayput.uncertainty import USUAL, Lognormal
 
 BODY = sp.Body(0.3, 1.8, 90.0, cg_offset=(0.01, -0.05), length=0.9)
@@ -73,6 +74,48 @@ def test_body_and_room_are_those_that_were_given(floor: sp.Floor):
     assert made.room.room().floor.surface == floor.surface
 
 
+def test_a_scene_gives_the_numbers_of_its_body_its_case_and_its_file():
+    motion = sp.near_fault().component("x")
+    of_body = verified(shaking=motion)
+    scene = sp.Scene([sp.Piece(BODY, name="shelf")], ROOM)
+    assert chances(sp.verify(scene, shaking=motion, measures=["l_bracket"], **FEW)) == chances(of_body)
+    assert chances(sp.verify(sp.Case(BODY, ROOM, motion), measures=[LBracket()], **FEW)) == chances(of_body)
+    chest = sp.Piece(BODY, at=(1.0, 1.0, 0.0), measures=[FreeCasters()], name="chest")
+    jar = sp.Piece(sp.Body.cylinder(0.2, 0.3, 2.0), on="chest", velocity=(0.1, 0.0, 0.0), name="jar")
+    plan = sp.FloorPlan(3.6, 2.7, [sp.Door("right_wall", 0.3, 0.8)], [sp.Window("far_side_wall", 0.5, 1.6)])
+    room = sp.Scene([chest, jar], plan=replace(plan, places=[sp.PersonPlace.of("cot", (3.0, 2.0))]))
+    with pytest.raises(sp.InputError, match="measures is given where furniture is not one"):
+        sp.verify(room, shaking=motion, measures=["belt"], **FEW)
+    verdict = sp.verify(room, shaking=motion, changes=False, **FEW)
+    assert verdict.scenario.scene() == room
+    assert verdict.without.option.on == ((FreeCasters(),), ())
+    assert "pieces" in verdict.scenario.to_toml().splitlines()[-1]
+    with pytest.raises(sp.InputError, match=r"^room "):
+        sp.verify(room, ROOM, shaking=motion)
+
+
+def test_verdicts_are_pickled_iterated_indexed_and_a_dataset():
+    verdict = verified(shaking="6-", measures=["l_bracket", ("belt", GelMats())])
+    assert verdict.intensity == pytest.approx(5.75)
+    assert [option.option.name for option in verdict] == [option.option.name for option in verdict.options]
+    assert verdict["none"] is verdict.without is verdict[len(verdict) - 1]
+    with pytest.raises(sp.InputError, match=r"no option 'glue'; the options are .*l_bracket"):
+        verdict["glue"]
+    again = pickle.loads(pickle.dumps(verdict))
+    assert again.to_json() == verdict.to_json()
+    assert f"{verdict.motions} × {verdict.samples} runs each" in repr(again)
+    data = verdict.to_dataset()
+    chance = verdict.without.pieces[0].probabilities["overturned"]
+    told = data.piece_probability.sel(option="none", piece="piece", event="overturned")
+    assert told.values.tolist() == [float(chance), chance.low, chance.high]
+    assert data.slide_median.attrs["units"] == "m"
+
+
+def test_a_public_name_that_is_gone_tells_its_successor():
+    with pytest.raises(AttributeError, match=r"no read_scenario any more; use stayput\.read\."):
+        _ = sp.read_scenario  # pyright: ignore[reportAttributeAccessIssue]
+
+
 def test_motions_are_taken_as_they_are():
     suite = sp.synthetic_suite("crustal", 2).to_intensity(6.0)
     of_suite, of_list = verified(shaking=suite), verified(shaking=list(suite))
@@ -126,8 +169,8 @@ def test_what_is_not_in_the_uncertainty_is_as_stated():
         (lambda: sp.verify(BODY, ROOM, shaking="6-middle"), "6-middle"),
         (lambda: sp.verify(BODY, ROOM, shaking=[1.0, 2.0]), "Motion"),
         (
-            lambda: sp.verify(BODY, ROOM, shaking=6.0, measures=["belt"]),
-            "measures is 'belt'; it must be of type",
+            lambda: sp.verify(BODY, ROOM, shaking=6.0, measures=["blet"]),
+            r"measures is 'blet' \(did you mean 'belt'\?\)",
         ),
         (lambda: sp.verify(BODY, ROOM, shaking=6.0, measures=[Belt(), Belt()]), "belt"),
         (lambda: sp.verify(BODY, ROOM, shaking=6.0, uncertainty=FRICT), "friction"),

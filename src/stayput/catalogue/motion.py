@@ -6,6 +6,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     **FILE_TEXTS,
     # What numbers and names are called, for the refusals of `stayput.catalogue.common`.
     "name_intensity": ("Intensity", "震度"),
+    "intensity_unrecorded": (("The intensity is {value:g}; none above {most:g} has been recorded, so that "
+                              "what is computed for it is an extrapolation."),
+                             ("震度が{value:g}になっています。{most:g}を超える震度は観測されたことがないため、"
+                              "計算結果は外挿です。")),
     "name_dt": ("dt", "時間刻み"),
     "name_time_step": ("The time step", "時間刻み"),
     "name_pgv": ("PGV", "最大速度（PGV）"),

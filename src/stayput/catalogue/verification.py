@@ -35,6 +35,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "slide_limit": ("Slide limit", "移動量の上限"),
     "no_shaking": ('a Motion, a Suite or such as "6-upper"', 'Motion、Suite、"6-upper"など'),
     "said_already": ("beside a {kind}, which says it already", "それを含む{kind}"),
+    "no_option": ("There is no option {value}; the options are {allowed}.",
+                  "案{value}はありません。案は{allowed}です。"),
     "levels_not_increasing": ("The levels are not increasing; each must be higher than the one before it.",
                               ("震度の段階が小さい順に並んでいません。"
                                "前の段階より大きい値を順に指定してください。")),

@@ -80,6 +80,10 @@ class Probability:
     missing: int
     design_effect: float
 
+    def __float__(self) -> float:
+        """Return the estimate."""
+        return self.estimate
+
     @property
     def half_width(self) -> float:
         """Half the width of the interval."""

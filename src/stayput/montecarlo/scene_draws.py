@@ -110,8 +110,8 @@ def draws_of_several(
     def draw(motion: int, sample: int) -> DrawOfSeveral:
         values = dict(shared[motion][sample])
         between, joints, lean, towards = (values.pop(name) for name in (*LIKE, "lean", "direction"))
-        own = [{}, *(columns[motion][sample] for columns in further)]
-        of_pieces = tuple(Draw(**values | columns, lean=0.0) for columns in own)
+        each = [{}, *(columns[motion][sample] for columns in further)]
+        of_pieces = tuple(Draw(**values | columns, lean=0.0) for columns in each)
         points = towards if direction is None else direction
         return DrawOfSeveral(of_pieces, between, joints, lean, points - facing)
 

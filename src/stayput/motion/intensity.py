@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, finite, not_allowed
+from stayput.errors import InputError, InputWarning, finite, not_allowed, warn, within
 from stayput.motion.response import PERIODS, mean_period
 from stayput.vocabulary import preset_meant
 
@@ -29,8 +29,11 @@ if TYPE_CHECKING:
 EXCEEDED = 0.3
 """Time in all for which the level that counts is reached [s]."""
 
-INTENSITY_RANGE = -3.0, 9.0
-"""Ends of what is accepted as an instrumental intensity."""
+INTENSITY_RANGE = -3.0, 7.5
+"""Ends of what is accepted as an instrumental intensity; the classes end with 7, which begins at 6.5."""
+
+RECORDED = 7.0
+"""Intensity above which nothing has been recorded."""
 
 CLASSES = (
     ("0", -math.inf),
@@ -134,6 +137,20 @@ def intensity_of_class(name: str) -> float:
         return 0.25
     start = CLASSES[i][1]
     return start + 0.25 if called == "7" else 0.5 * (start + CLASSES[i + 1][1])
+
+
+def possible_intensity(value: float) -> float:
+    """Return an instrumental intensity, with a warning where none so strong has been recorded.
+
+    Raises
+    ------
+    InputError
+        Beyond `INTENSITY_RANGE`.
+    """
+    intensity = within("motion.name_intensity", value, *INTENSITY_RANGE, field="intensity")
+    if intensity > RECORDED:
+        warn(InputWarning("motion.intensity_unrecorded", "intensity", value=intensity, most=RECORDED))
+    return intensity
 
 
 def factor_to_intensity(intensity: float, wanted: float) -> float:

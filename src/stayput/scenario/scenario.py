@@ -270,8 +270,11 @@ class Scenario(SceneTables):
         if parts.get("building") is not None:
             data = {**data, "shaking": {**data["shaking"], "building": parts["building"]}}
         scenario = cls.parse(data, parts["folder"], parts["file"])
-        given = (parts.get(name) for name in ("motions", "measures", "quantities", "pieces"))
-        return scenario.with_python(*given)
+        names = ("motions", "measures", "quantities", "pieces")
+        return scenario.with_python(**{name: parts.get(name) for name in names})
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self).of_kept, (self.kept(),)  # the tables of measures are made by a function
 
     @property
     def contents(self) -> Contents | None:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Literal, Self, TypeVar, cast
 
-from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
+from pydantic import AfterValidator, Discriminator, Field, PrivateAttr, Tag, model_validator
 
 from stayput.building.model import MOST_STOREYS
 from stayput.catalogue import phrase
@@ -22,7 +22,7 @@ from stayput.motion.ground_shaking import (
     strength_of_pgv,
     strength_of_sa,
 )
-from stayput.motion.intensity import CLASSES, INTENSITY_RANGE, intensity_of_class
+from stayput.motion.intensity import CLASSES, INTENSITY_RANGE, intensity_of_class, possible_intensity
 from stayput.motion.readers import read_shaking, read_vertical
 from stayput.motion.readers.columns import MOST_SKIPPED, OPTIONS, ReadingOptions, chosen_columns
 from stayput.motion.record import Motion
@@ -68,7 +68,7 @@ FamilyName = Annotated[str, fields.one_of(FAMILY_NAMES), fields.named(FAMILY_NAM
 
 
 Intensity = Annotated[
-    Annotated[float, fields.between(*INTENSITY_RANGE), Tag(fields.NUMBER)]
+    Annotated[float, fields.between(*INTENSITY_RANGE), AfterValidator(possible_intensity), Tag(fields.NUMBER)]
     | Annotated[ClassName, Tag(fields.NAME)],
     Discriminator(fields.name_or_number),
 ]

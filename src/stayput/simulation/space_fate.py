@@ -324,7 +324,9 @@ def fates_of(
         moved, pose = _moves(place[b], turn[b])
         places, turns = _chosen(place[b], moved), unrolled(piece, _chosen(turn[b], moved))
         tilt = tilts(piece.rest, turns)[pose]
-        on = [_seen_from(a, b, place, turn) for a in np.flatnonzero(bears[:, b])] or [(place[b], turn[b])]
+        on = [_seen_from(a, b, place, turn) for a in np.flatnonzero(bears[:, b]).tolist()] or [
+            (place[b], turn[b])
+        ]
         slid = max((_slid(piece, *seen) for seen in on), key=lambda each: each.way.max())
         if given_up or not np.isfinite(place[b]).all():
             fates.append(Fate(Outcome.FAILED, None, None, tilt, slid.way, slid.slide))

@@ -14,7 +14,7 @@ import numpy as np
 from stayput.building.building import Building
 from stayput.building.model import ShearModel
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, list_of, not_allowed, shown, within
+from stayput.errors import InputError, instance_of, list_of, not_allowed, shown, within, word_of
 from stayput.fragility.intensity_measures import IntensityMeasure, intensity_measure
 from stayput.measures import MEASURES, Measure
 from stayput.measures.measure import refuse_conflicts
@@ -46,8 +46,11 @@ if TYPE_CHECKING:
 StatedShaking = Motion | Suite | Sequence[Motion] | str | float | Mapping[str, Any]
 """Motions; the JMA intensity of the ground, or its class; or the keys of ``[shaking]`` of a scenario file."""
 
-MeasureSets = Sequence[Measure | Sequence[Measure]] | Mapping[str, Measure | Sequence[Measure]]
-"""MeasureSets that are compared: each by itself or several together, under names of one's own or not."""
+MeasureSet = Measure | str | Sequence[Measure | str]
+"""A measure, or several together; each a value, or the name of its kind: `MEASURES`."""
+
+MeasureSets = Sequence[MeasureSet] | Mapping[str, MeasureSet]
+"""Sets of measures that are compared, under names of one's own or not."""
 
 
 def scenario_of(
@@ -131,7 +134,7 @@ def _tables_of(what: Body | Case | Scene, room: Room) -> Tables:
 
 
 def _tables_of_scene(scene: Scene) -> Tables:
-    given = [_beyond_files(piece) for piece in scene.pieces]
+    beyond = [_beyond_files(piece) for piece in scene.pieces]
     furniture = [_piece_table(scene, number) for number in range(len(scene.pieces))]
     room, plan = _room_table(scene.room), scene.plan
     tables: dict[str, Any] = {"furniture": furniture, "room": room}
@@ -141,12 +144,12 @@ def _tables_of_scene(scene: Scene) -> Tables:
         tables["plan"] = {"width": plan.width, "length": plan.length}
         tables["doors"], tables["windows"] = [*map(asdict, plan.doors)], [*map(asdict, plan.windows)]
         tables["places"] = [_place_table(place) for place in plan.places]
-    elif len(furniture) == 1 and not given[0].keys() - {"measures"} and _stands_plainly(scene.pieces[0]):
-        return tables | {"furniture": furniture[0]}, given
+    elif len(furniture) == 1 and not beyond[0].keys() - {"measures"} and _stands_plainly(scene.pieces[0]):
+        return tables | {"furniture": furniture[0]}, beyond
     static, kinetic = scene.friction
     tables |= {"static_friction": static, "kinetic_friction": kinetic}
     tables["joints"] = [_joint_table(joint, scene.names) for joint in scene.joints]
-    return tables, given
+    return tables, beyond
 
 
 def _stands_plainly(piece: Piece) -> bool:
@@ -212,8 +215,13 @@ def named_sets(measures: MeasureSets) -> list[Option]:
     return [replace(option, name=option.generated_name) for option in sets]
 
 
-def _together(measures: Measure | Sequence[Measure]) -> tuple[Measure, ...]:
-    together = list_of("measures", measures if isinstance(measures, tuple | list) else (measures,), Measure)
+def _together(measures: MeasureSet) -> tuple[Measure, ...]:
+    each = measures if isinstance(measures, tuple | list) else (measures,)
+    made = [
+        MEASURES[word_of("measures", item, MEASURES, "measures")]() if isinstance(item, str) else item
+        for item in cast("Sequence[Measure | str]", each)
+    ]
+    together = list_of("measures", made, Measure)
     refuse_conflicts(together)
     return together
 
@@ -311,17 +319,20 @@ def verify(
     storey : int, optional
         The storey of the building where a body stands.
     measures : sequence or mapping, optional
-        What a body or a case is compared with: each a `Measure`, of one's own as well, or several that are in
-        place together; a mapping names them. With none in it only the furniture without measures is verified,
-        or with a case's own. The usual ones by default.
+        What a lone piece is compared with: each a `Measure`, of one's own as well, or the name of its kind,
+        "belt", or several that are in place together; a mapping names them. With none in it only the
+        furniture without measures is verified, or with its own. The usual ones by default.
     changes : bool
         Whether single changes are tried in a room that names no options: a measure on each piece that does
         harm or falls, another place for it, and for those whom it hits.
     uncertainty : Uncertainty, optional
         The quantities that are drawn for a body or a case, by the names of `stayput.uncertainty.USUAL`; what
         is not in it is as stated. All, as they are usually, by default.
-    samples, seed : int, optional
-        Most samples of each set of measures, and the seed of the draws, of a body or a case.
+    samples : int, optional
+        Most runs with each option, spread evenly over the motions, and one of each motion at least: 8 samples
+        of a suite of 40 motions are 40 runs. `Verdict.motions` and `Verdict.samples` say how many were made.
+    seed : int, optional
+        Seed of the draws.
     precision : float, optional
         Half-width of the 95 % interval of the probability of overturning that is enough, of a body or a case.
     levels : array_like, optional

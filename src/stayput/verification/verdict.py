@@ -10,12 +10,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from stayput.errors import InputError, shown
 from stayput.montecarlo.counting import OVERTURNED, Member, Quantiles
 from stayput.saved import InJson
 from stayput.simulation.space_fate import MAY_FALL_FROM, Stability
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
+    import xarray as xr
     from matplotlib.axes import Axes
 
     from stayput.catalogue import Phrase
@@ -266,6 +268,10 @@ class Verdict(InJson):
     ... )
     >>> verdict.best.option.name, verdict.best.probabilities["overturned"].estimate
     ('l_bracket', 0.0)
+    >>> verdict.motions, verdict.samples  # of each motion: 8 in all
+    (4, 2)
+    >>> [option.option.name for option in verdict], float(verdict["l_bracket"].probabilities["overturned"])
+    (['l_bracket', 'none'], 0.0)
     """
 
     scenario: Scenario
@@ -290,8 +296,24 @@ class Verdict(InJson):
             f"{option.option.name} {option.probabilities[OVERTURNED].text}" for option in self.options[:3]
         )
         more = f", and {len(self.options) - 3} more" if len(self.options) > 3 else ""
+        made = f"{self.motions} × {self.samples} runs each"
         draft = "" if self.complete else "; not complete"
-        return f"Verdict(JMA {self.intensity:.2f}; overturned: {ranked}{more}{draft})"
+        return f"Verdict(JMA {self.intensity:.2f}; overturned: {ranked}{more}; {made}{draft})"
+
+    def __iter__(self) -> Iterator[OptionVerdict]:
+        return iter(self.options)
+
+    def __len__(self) -> int:
+        return len(self.options)
+
+    def __getitem__(self, option: str | int) -> OptionVerdict:
+        """Return the verdict on an option, by its name or its place in the ranking from 0 on."""
+        names = [result.option.name for result in self.options]
+        try:
+            return self.options[names.index(option) if isinstance(option, str) else option]
+        except (ValueError, TypeError, IndexError):
+            known = ", ".join(names)
+            raise InputError("verification.no_option", "option", value=shown(option), allowed=known) from None
 
     def _repr_html_(self) -> str:
         from stayput.report.notebook import verdict_html
@@ -391,6 +413,12 @@ class Verdict(InJson):
 
         check_language(language)
         return tuple(say(note, language) for note in notes(self))
+
+    def to_dataset(self) -> xr.Dataset:
+        """Return probabilities and quantiles over ``option``, ``piece``, ``event``, with units in attrs."""
+        from stayput.report.verdict.data import verdict_dataset
+
+        return verdict_dataset(self)
 
     def to_json(self) -> str:
         """Return the verdict as JSON; keys carry their units."""

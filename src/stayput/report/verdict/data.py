@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -25,6 +25,8 @@ from stayput.verification.options import inputs
 from stayput.verification.room_words import people_in, piece_changed, pieces_in
 
 if TYPE_CHECKING:
+    import xarray as xr
+
     from stayput.fragility.paired import Difference
     from stayput.fragility.probabilities import Probability
     from stayput.rooms.steps import ActionPlan, Fix, PlanStep
@@ -42,6 +44,55 @@ def room_csv(verdict: Verdict) -> str:
     names = ("event", "of", "by", "probability", "low", "high", "change", "change_low", "change_high")
     rows = ((*texts, *_ends(chance), *_ends(change)) for *texts, chance, change in _rows(verdict))
     return csv_text(names, rows)
+
+
+def verdict_dataset(verdict: Verdict) -> xr.Dataset:
+    """Return probabilities and quantiles over ``option``, ``piece`` and ``event``.
+
+    Parameters
+    ----------
+    verdict : Verdict
+        The verdict.
+
+    Returns
+    -------
+    xarray.Dataset
+        Of each probability its estimate and the ends of its 95 % interval, over ``bound``.
+    """
+    import xarray as xr  # which takes its time to load
+
+    options = verdict.options
+    pieces = [[piece.probabilities for piece in option.pieces] for option in options]
+    events, bound = [*options[0].probabilities], ["estimate", "low", "high"]
+
+    def each(chances: Mapping[str, Probability]) -> list[list[float]]:
+        return [[getattr(chances[event], name) for name in bound] for event in events]
+
+    over_options = [each(option.probabilities) for option in options]
+    data = xr.Dataset(
+        {
+            "rank": ("option", [option.rank for option in options]),
+            "probability": (("option", "event", "bound"), over_options),
+            "piece_probability": (("option", "piece", "event", "bound"), [[*map(each, of)] for of in pieces]),
+        },
+        {
+            "option": [option.option.name for option in options],
+            "piece": list(verdict.scenario.names),
+            "event": events,
+            "bound": bound,
+        },
+        attributes(verdict, "motions", "samples", "runs", "seed", "intensity"),
+    )
+    for name, unit in (("slide", "m"), ("tilt", "rad")):
+        for part in ("median", "p90"):
+            values = [[getattr(getattr(piece, name), part) for piece in option.pieces] for option in options]
+            about = {"units": unit, "long_name": f"{part} of the largest {name}; inf where it overturns"}
+            data[f"{name}_{part}"] = (("option", "piece"), values, about)
+    for name in ("hit", "shut_in", "blocked") if options[0].people is not None else ():
+        chances = [getattr(option.people, name).chance for option in options]
+        values = [[getattr(chance, part) for part in bound] for chance in chances]
+        data[name] = (("option", "bound"), values)
+    return data
 
 
 def _ends(value: Probability | Difference | None) -> Iterable[float | None]:
