@@ -16,7 +16,8 @@ def __getattr__(name):  # pyright: ignore
     if name in SUCCESSORS:
         from stayput.catalogue import say
 
-        raise AttributeError(say("common.name_gone", name=name, successor=SUCCESSORS[name]))  # pyright: ignore
+        successor = f"stayput.{SUCCESSORS[name]}"
+        raise AttributeError(say("cli.gone", name=f"stayput.{name}", successor=successor))
     if "_load" not in globals():
         import lazy_loader  # takes longer to load than all else that the command line needs of this module
 

@@ -112,7 +112,7 @@ def test_verdicts_are_pickled_iterated_indexed_and_a_dataset():
 
 
 def test_a_public_name_that_is_gone_tells_its_successor():
-    with pytest.raises(AttributeError, match=r"no read_scenario any more; use stayput\.read\."):
+    with pytest.raises(AttributeError, match=r"stayput\.read_scenario is gone; .* `stayput\.read`\."):
         _ = sp.read_scenario  # pyright: ignore[reportAttributeAccessIssue]
 
 

@@ -67,8 +67,6 @@ TEXTS: dict[str, tuple[str, str]] = {
                  "{name}の{what}が{count:,}あります。{most:,}以下にしてください。"),
     "too_many_bytes": ("{file} has {size} bytes; at most {most} are read.",
                        "{file}が大きすぎます（{size}バイト）。{most}バイトまで読めます。"),
-    "name_gone": ("stayput has no {name} any more; use stayput.{successor}.",
-                  "stayputに{name}はもうありません。stayput.{successor}を使ってください。"),
     "only_a_path": ("{name} is {value}; a file must be read first: {reader}({value}).",
                     "{name}が{value}になっています。ファイルは先に{reader}({value})で読み込んでください。"),
     "too_large": ("{name} is too large; it must be finite.", "{name}が大きすぎます。有限の数値が必要です。"),

@@ -156,7 +156,8 @@ class Scenario(SceneTables):
         body = self.piece.body()
         across = body.length is not None and self.shakes_across
         in_python = self._own_options
-        held = in_python is None or any(each.measures for each in in_python)  # by default the usual ones
+        options = (self.stated, *(in_python or ()))
+        held = in_python is None or any(each.measures for each in options)  # by default the usual ones
         return 3 if needs_space(body, self.room.room(), across=across, held=held) else 2
 
     @cached_property
