@@ -196,7 +196,7 @@ def beside(pair: tuple[float, ...], form: str = ".0f") -> str:
     return "" if math.isnan(pair[0]) else " / ".join(format(value, form) for value in pair)
 
 
-def three_dimensions(motions: int = 10, *, headings: Sequence[float] = HEADINGS) -> Study:
+def three_dimensions(motions: int = 5, *, headings: Sequence[float] = HEADINGS) -> Study:
     """Study what the plane says beside space of free and of held pieces, by size and heading.
 
     Parameters
