@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 import stayput as sp
+from stayput.mechanics.space.columns import HIT
 from stayput.model.flat_fields import room_row
 from stayput.simulation.run import default_names
 from stayput.simulation.space import piece_runs
@@ -53,7 +54,7 @@ def of_poses(
     still, count = np.zeros(place.shape), len(standing)
     gaps, none = (apart(count), apart(count)), np.zeros((count, 3), np.int64)
     bodies = [SimpleNamespace(piece=piece, held=None) for piece in standing]
-    trace = SimpleNamespace(peak_tilt=np.zeros(count), hit_numbers=none)
+    trace = SimpleNamespace(peak_tilt=np.zeros(count), hit_numbers=none, hits=np.zeros(0, HIT))
     turns = matrices(attitude)
     fates = fates_of(standing, place, turns, gaps)
     traced: Any = SimpleNamespace(bodies=bodies, trace=trace, turns=turns, fates=lambda: fates)

@@ -127,16 +127,3 @@ def test_an_impact_on_a_wall(friction: float, wall_friction: float, restitution:
     tilt = np.arcsin(run.turn[0, :, 0, 2])
     assert tilt[-1] == pytest.approx(flat.tilt[-1], abs=2e-4)
     assert run[0].slide_in_plan[-1, 0] == pytest.approx(flat.slide[-1], abs=5e-5)
-
-
-def test_a_run_tells_its_error() -> None:
-    """What a box slides in a circle is off by less than the run says; one that rests is off by nothing."""
-    t = np.arange(0.0, 2.0, 0.01)
-    circle = sp.Motion(
-        dt=0.01, x=4.0 * np.cos(2.0 * np.pi * t), y=4.0 * np.sin(2.0 * np.pi * t), name="circle"
-    )
-    block = sp.Piece(sp.Body.box(0.9, 0.9, 0.3, 30.0), velocity=(-0.4, -0.3, 0.0))
-    run, fine = (sp.simulate(block, sp.Room(sp.Floor(0.2, 0.2)), circle, step=step) for step in (1e-3, 1e-4))
-    apart = np.abs(run.place - fine.place).max()
-    assert 0.0 < apart < run.estimated_error < 1e-3
-    assert sp.simulate(block.body, sp.Room(), circle.scaled(0.01)).estimated_error == 0.0

@@ -57,7 +57,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "row_slide": ("Peak slide", "最大移動量"),
     "row_way": ("Peak slide, rolling included", "最大移動量（転がりを含む）"),
     "row_residual": ("Residual slide", "残留移動量"),
-    "row_error": ("Estimated error but for impacts", "推定誤差（衝突を除く）"),
     "row_rough": ("Steps with rough forces", "力が収束しなかったステップ"),
     "row_floor": ("Floor impacts", "床への衝突"),
     "row_yaw": ("Peak turn in plan", "水平面内の最大回転"),

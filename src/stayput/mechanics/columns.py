@@ -139,6 +139,9 @@ COULOMB, PAPER = range(2)
 # outcomes, in the order of `stayput.simulation.run.Outcome`
 RESTED, SLID, ROCKED, LEANING, OVERTURNED_OUTCOME, FAILED_OUTCOME = range(6)
 
+HIT_SPEED = 0.01
+"""Closing speed from which on a contact that closes counts as a hit [m/s]."""
+
 # bits of state.moved
 MOVED_SLIDING, MOVED_ROCKING, MOVED_FLYING = 1, 2, 4
 

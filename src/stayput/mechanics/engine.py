@@ -32,6 +32,7 @@ from stayput.mechanics.geometry import (
     update_peaks,
 )
 from stayput.mechanics.impact import (
+    CLOSING,
     closing_contacts,
     impact_without_collision,
     land,
@@ -58,12 +59,12 @@ def handle_impacts(scratch, touch, case, s, held, law):
     contacts = scratch.contacts
     if law == col.COULOMB:
         # also contacts that close in the same instant as another one, or as a force reaches its limit
-        s.hit |= closing_contacts(contacts, touch & ~s.closed, s)
+        s.hit |= closing_contacts(contacts, touch & ~s.closed, s, CLOSING)
     if not s.hit:
         return
     if s.hit & col.FLOOR_BITS:
         s.floor_impacts += 1
-    else:
+    if closing_contacts(contacts, s.hit & ~col.FLOOR_BITS, s, col.HIT_SPEED):
         s.wall_impacts += 1
     if law == col.PAPER:
         collide_by_paper(contacts, case, s)
@@ -318,7 +319,7 @@ def _continue_case(case, scratch, s, held, motion, settings, output):
 def _run_case(case, scratch, s, held, motion, settings, output):
     """Run one case from its initial state, which is set; otherwise as `_continue_case`."""
     touch = touching(scratch.contacts, s) | s.closed
-    s.hit = closing_contacts(scratch.contacts, touch & ~s.closed, s)
+    s.hit = closing_contacts(scratch.contacts, touch & ~s.closed, s, CLOSING)
     before = s.kind, s.closed, s.d
     _handle_event(scratch, touch, case, s, held, motion, settings.law, col.CLOSED)
     failed = 0 if held is None else held.work.failed

@@ -196,11 +196,11 @@ def scale_change_of_fulcrum(contacts, fulcrum, case, s, before):
 
 
 @inner
-def closing_contacts(contacts, bits, s):
-    """Bits of those contacts whose gap is closing."""
+def closing_contacts(contacts, bits, s, speed):
+    """Bits of those contacts whose gap closes faster than a speed."""
     closing_bits = 0
     for c in range(CONTACTS):
-        if bits >> c & 1 and gap_rate(contacts[c], s) < -CLOSING:
+        if bits >> c & 1 and gap_rate(contacts[c], s) < -speed:
             closing_bits |= 1 << c
     return closing_bits
 
@@ -246,7 +246,7 @@ def impact_without_collision(contacts, touching, case, s):
         if touching >> c & 1 and abs(slip_rate(contacts[c], s)) > STICK_RATE:
             before = s.vx, s.vz, s.omega
             ok, s.vx, s.vz, s.omega = stop_corner(contacts, c, case.inertia, s)
-            if ok and not closing_contacts(contacts, touching & ~(1 << c), s):
+            if ok and not closing_contacts(contacts, touching & ~(1 << c), s, CLOSING):
                 return
             s.vx, s.vz, s.omega = before
     s.vx = s.vz = s.omega = 0.0

@@ -290,7 +290,6 @@ def summary(run: Run) -> dict[str, Any]:
             "hits": [_hit(hit, run.names) for hit in run.hits],
             "steps": run.steps,
             "unconverged_steps": run.unconverged,
-            "estimated_error_m": run.estimated_error,
         }
     return {
         "engine": run.engine,
@@ -344,8 +343,6 @@ def rows(run: Run, language: str = "en") -> list[tuple[str, str]]:
             (say(f"runs.row_{row}", language), value) for row, value in values.items() if row not in absent
         ]
     table += device_rows(run.devices, names if len(names) > 1 else (), language)
-    if not plane:
-        table.append((say("runs.row_error", language), f"{100.0 * run.estimated_error:.2g} cm"))
     if run.unconverged:
         table.append((say("runs.row_rough", language), f"{run.unconverged:,} / {run.steps:,}"))
     return table

@@ -316,7 +316,6 @@ def joined_traces(traces: dict[Group, SpaceTrace], springs_of: Sequence[Sequence
         gaps=(_gaps(traces, order, 0), _gaps(traces, order, 1)),
         steps=sum(trace.steps for trace in traces.values()),
         unconverged=sum(trace.unconverged for trace in traces.values()),
-        error=max(trace.error for trace in traces.values()),
         given_up=any(trace.given_up for trace in traces.values()),
     )
 

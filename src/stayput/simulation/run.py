@@ -83,12 +83,14 @@ class PieceRun:
         and touches none of it.
     peak_slide, peak_tilt : float
         Largest magnitudes until it overturned or fell off [m, rad], at any time, not only at samples; in
-        space the slide at a sample, and the tilt too of what fell. Tilts are from the position of rest, which
-        is itself tilted over a wedge.
+        space the slide at samples and where it hits the room, and the tilt of what fell at samples. Tilts are
+        from the position of rest, which is itself tilted over a wedge.
     residual_slide, residual_tilt : float
         Values at the end, or where it overturned or fell off [m, rad].
     floor_impacts, wall_impacts, body_impacts : int
-        How often it landed on the floor, hit the walls and the ceiling, and hit other bodies.
+        How often it landed on the floor, hit the walls and the ceiling, and hit other bodies: at 1 cm/s or
+        faster, but in the plane landings of any speed. Points that close at once on a surface are one hit;
+        in the plane walls and ceiling are one.
     tilt : ndarray, shape (samples,)
         Angle from rest [rad]; of a body that lies on its round side without what it has rolled.
     slide : ndarray, shape (samples,)
@@ -233,9 +235,6 @@ class Run(InNetcdf):
     steps, unconverged : int
         Of space: steps of the engine, and those whose contact forces did not converge; a few where contacts
         jam.
-    estimated_error : float
-        Of places in space, as a scale: what steps between events differ from two of half their length, over
-        three, in sum [m]. Events, impacts, and what shaking makes of an error come on top.
     given_up : bool
         Whether it took too much work: bodies stay where they were then, and what became of them is not known.
     plan : FloorPlan, optional
@@ -277,7 +276,6 @@ class Run(InNetcdf):
     springs: NDArray[np.void] = field(default_factory=lambda: np.zeros(0, SPRING))
     steps: int = 0
     unconverged: int = 0
-    estimated_error: float = 0.0
     given_up: bool = False
     plan: FloorPlan | None = None
 

@@ -16,7 +16,7 @@ from stayput.catalogue.names import PIECES_OF_RUNS
 from stayput.errors import InputWarning, warn
 from stayput.measures.element import DeviceResult, device_results
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
-from stayput.mechanics.space.columns import ON_FLOOR, ON_ROOM
+from stayput.mechanics.space.columns import HISTORY, ON_FLOOR, ON_ROOM
 from stayput.mechanics.space.touching import ROOM
 from stayput.model.flat_fields import from_flat_fields
 from stayput.model.parameters import GRAVITY
@@ -26,7 +26,7 @@ from stayput.simulation.outcome import OUTCOMES, Hit, Outcome, case_results
 from stayput.simulation.placing import Placed, joint_results, joint_springs, placed, planes_around
 from stayput.simulation.run import PieceRun, Run, default_names
 from stayput.simulation.space_engine import STEP, SpaceShaking, SpaceTrace, run_world
-from stayput.simulation.space_fate import Fate, fates_of, unrolled, upright_yaws
+from stayput.simulation.space_fate import Fate, fates_of, slides, unrolled, upright_yaws
 from stayput.simulation.space_records import frames_of, matrices, surface_of, world_of
 from stayput.wording import joined, name_within
 
@@ -116,12 +116,14 @@ class Trace:
             pose["y"] += y
             at = piece.at[0] + x, piece.at[1] + y, piece.at[2]
             bodies.append(body._replace(piece=replace(piece, at=at), pose=pose))
-        planes, springs = self.planes.copy(), self.trace.springs.copy()
+        planes, springs, hits = self.planes.copy(), self.trace.springs.copy(), self.trace.hits.copy()
         planes["offset"] += planes["nx"] * x + planes["ny"] * y
         held = springs["other"] == ROOM
         springs["ax"][held] += x
         springs["ay"][held] += y
-        trace = self.trace._replace(place=self.trace.place + origin, springs=springs)
+        hits["x"] += x
+        hits["y"] += y
+        trace = self.trace._replace(place=self.trace.place + origin, springs=springs, hits=hits)
         return Trace(tuple(bodies), planes, trace, self.gravity)
 
     def held(self) -> Iterator[tuple[int, Held, slice]]:
@@ -256,25 +258,37 @@ def results_of(traced: Trace, time: NDArray[np.float64]) -> NDArray[np.void]:
         fell_off = fate.outcome is Outcome.FELL_OFF
         result["outcome"] = OVERTURNED_OUTCOME if fell_off else OUTCOMES.index(fate.outcome)
         result["end"] = time[-1 if fate.fell is None else fate.fell]
-        for name, value in _until_it_fell(fate, traced.trace, body, traced.bodies[body].piece).items():
+        for name, value in _until_it_fell(fate, traced.trace, body, traced.bodies[body].piece, time).items():
             result[name] = value
         result["floor_impacts"], result["wall_impacts"] = traced.trace.hit_numbers[body, [ON_FLOOR, ON_ROOM]]
         result["events"], result["steps"] = traced.trace.hit_numbers[-1, 0], traced.trace.steps
     return results
 
 
-def _until_it_fell(fate: Fate, trace: SpaceTrace, body: int, piece: Piece) -> dict[str, float]:
+def _until_it_fell(
+    fate: Fate, trace: SpaceTrace, body: int, piece: Piece, time: NDArray[np.float64]
+) -> dict[str, float]:
     """Return the largest and the last slide and tilt of a body, until it overturned or fell off."""
     end = None if fate.fell is None else fate.fell + 1
     tilt, way = fate.tilt[:end], fate.way[:end]
     # the engine's tilt is that at any step, but counts what a body on its round side has rolled
     seen = fate.fell is not None or piece.round_side is not None
     return {
-        "peak_slide": float(way.max()),
+        "peak_slide": max(float(way.max()), _slide_at_hits(trace, body, piece, time[: len(way)][-1])),
         "residual_slide": float(way[-1]),
         "peak_tilt": float(tilt.max() if seen else trace.peak_tilt[body]),
         "residual_tilt": float(tilt[-1]),
     }
+
+
+def _slide_at_hits(trace: SpaceTrace, body: int, piece: Piece, until: float) -> float:
+    """Return the largest slide of a body as it hits the room [m]: between samples it turns back there."""
+    hits = trace.hits[(trace.hits["a"] == body) & (trace.hits["b"] == ROOM) & (trace.hits["time"] <= until)]
+    if len(hits) == 0 or piece.round_side is not None:
+        return 0.0
+    pose = np.stack([hits[name] for name in HISTORY[:7]], axis=1)
+    turn = matrices(frames_of([piece], pose[np.newaxis, :, 3:])[0])
+    return float(np.linalg.norm(slides(piece, pose[:, :3], turn), axis=1).max())
 
 
 ENDS = 0.5
@@ -357,7 +371,6 @@ def run_of_trace(traced: Trace, joints: Sequence[Joint], room: Room, motion: Mot
         springs=trace.springs,
         steps=trace.steps,
         unconverged=trace.unconverged,
-        estimated_error=trace.error,
         given_up=trace.given_up,
     )
 
@@ -375,7 +388,7 @@ def piece_runs(traced: Trace, time: NDArray[np.float64]) -> tuple[PieceRun, ...]
                 fate.outcome,
                 overturned,
                 fell_off,
-                **_until_it_fell(fate, trace, b, piece),
+                **_until_it_fell(fate, trace, b, piece, time),
                 **dict(zip(IMPACTS, trace.hit_numbers[b].tolist(), strict=True)),
                 tilt=fate.tilt,
                 slide=fate.way,

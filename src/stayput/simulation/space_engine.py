@@ -161,8 +161,6 @@ class SpaceTrace(NamedTuple):
         At first and at the end.
     steps, unconverged : int
         Steps, and those whose contact forces did not converge.
-    error : float
-        Sum of the estimated errors of refined steps [m].
     given_up : bool
         Whether it took too much work, where bodies stay where they were then, or too many steps did not
         converge.
@@ -182,7 +180,6 @@ class SpaceTrace(NamedTuple):
     gaps: tuple[Gaps, Gaps]
     steps: int
     unconverged: int
-    error: float
     given_up: bool
 
 
@@ -237,7 +234,7 @@ def run_world(
     held[2]["failure_time"] = np.nan
     histories = np.zeros((bodies, samples, len(HISTORY)))
     forces, hits = np.zeros((samples, len(springs), FORCES)), np.zeros(MOST_HITS, HIT)
-    numbers, peaks, work = np.zeros((bodies + 1, 3), np.int64), np.zeros(bodies), np.zeros(5)
+    numbers, peaks, work = np.zeros((bodies + 1, 3), np.int64), np.zeros(bodies), np.zeros(4)
     work[3] = (FIRST_WORK + WORK_A_SECOND * bodies * dt * (samples - 1)) * max(1.0, STEP / step)
     output = histories, forces, hits, numbers, peaks, work
     omega, longer = fastest_vibration(numbered, world[0]), LONGER_HELD if len(springs) else LONGER
@@ -264,7 +261,6 @@ def run_world(
         (first, gaps_of(world, scratch[2][0], back)),
         int(work[0]),
         int(work[1]),
-        float(work[4]),
         bool(work[2] > work[3] or work[1] > max(FEW, MOST_UNCONVERGED * work[0])),
     )
 

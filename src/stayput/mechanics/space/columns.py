@@ -106,23 +106,22 @@ before, the impulse, its change by a step of Newton's method, by how much it fal
 velocity along the normal and across, and the forces.
 """
 
-HIT = record(*integers("a", "b", "plane"), *floats("time", "speed", "impulse"))
-"""A hit: body a, and body b (−1: the room) or a plane of the room; when, how fast they closed, how hard."""
-
-LINE = 0.5
-"""κ of even pressure along a line, beside its ends (`stayput.model.even_base`)."""
-
-HIT_SPEED = 0.01
-"""Closing velocity from which on a contact that closes is a hit [m/s]."""
-
-ON_FLOOR, ON_ROOM, ON_BODY = range(3)
-"""Columns of the numbers of hits: on the floor, on walls and ceiling, on other bodies."""
-
 HISTORY = (
     *("x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz"),
     *("room_x", "room_y", "room_z", "bodies_x", "bodies_y", "bodies_z"),
 )
 """Columns of a body's history; the last six are what the room and other bodies pressed on it [N]."""
+
+HIT = record(*integers("a", "b", "plane"), *floats("time", "speed", "impulse", *HISTORY[:7]))
+"""A hit: body a, and body b (−1: the room) or a plane of the room; when, how fast they closed, how hard; and
+where body a was.
+"""
+
+LINE = 0.5
+"""κ of even pressure along a line, beside its ends (`stayput.model.even_base`)."""
+
+ON_FLOOR, ON_ROOM, ON_BODY = range(3)
+"""Columns of the numbers of hits: on the floor, on walls and ceiling, on other bodies."""
 
 BY_ROOM, BY_BODIES = 13, 16
 """First columns of those forces."""

@@ -260,7 +260,6 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
             least, left = note_all_gaps(world, trial, scratch, gaps[1])
             meets = meeting(world, trial, gaps[0], gaps[1], h) if left < 0.0 else h
             if meets == h:
-                work[4] += error / 3.0
                 pace[EVENT] = max(least_h, 0.5 * pace[EVENT])
                 grows = 0.8 * math.sqrt(allowed / max(error, 1e-15))
                 pace[LENGTH] = max(2.0 * least_h, h * min(GROWS, max(0.5, grows)))
@@ -373,9 +372,8 @@ def run_in_space(
         along the normal, + where it pulls, and the plane; HIT[h], the first hits; numbers of hits by body and
         kind int64[n + 1, 3], in the last row of all hits; the largest 1 − cos of the bodies' tilts at any
         step float64[n]; steps, steps whose impulses did not converge, work in updates of a contact (some
-        0.04 µs each), the most of it, and the sum of the errors of refined steps [m], float64[5]: added to.
-        Beyond the most work, and where too many steps do not
-        converge, bodies stay where they are.
+        0.04 µs each), and the most of it, float64[4]: added to. Beyond the most work, and where too many
+        steps do not converge, bodies stay where they are.
     """
     dt, longest, gravity = numbers[0], numbers[1], numbers[2]
     bodies, floor = world[0], world[3][0]
@@ -436,7 +434,7 @@ def run_in_space(
             else:
                 if pace[SHORT] == 0.0:
                     pace[ROUGH] = max(0.0, pace[ROUGH] - 1.0)
-                note_hits(contacts, count, kept[0], start + t + h, hits, hit_numbers)
+                note_hits(contacts, count, kept[0], start + t + h, trial, hits, hit_numbers)
                 keep(contacts, count, kept[0], scratch[7][3])
                 give(held[0], held[1], held[2], trial, start + t + h)
                 last = h

@@ -10,9 +10,10 @@ from __future__ import annotations
 import math
 
 from stayput.compiling import inline, inner
+from stayput.mechanics.columns import HIT_SPEED
 from stayput.mechanics.space.body import in_room
 from stayput.mechanics.space.closing import OPEN
-from stayput.mechanics.space.columns import BY_BODIES, BY_ROOM, HIT_SPEED, ON_BODY, ON_FLOOR, ON_ROOM
+from stayput.mechanics.space.columns import BY_BODIES, BY_ROOM, ON_BODY, ON_FLOOR, ON_ROOM
 from stayput.mechanics.space.contact import first_tangent, second_tangent, stands_at
 from stayput.mechanics.space.solve import end_of, slip_rate
 from stayput.mechanics.space.touching import ROOM
@@ -20,7 +21,7 @@ from stayput.mechanics.space.vectors import added, normal_of, scaled
 
 
 @inner
-def note_hits(contacts, count, kept, time, hits, numbers):
+def note_hits(contacts, count, kept, time, poses, hits, numbers):
     """Count and list what was hit in a step, once whatever its points; ``kept`` is of the step before."""
     last = count
     for k in range(count):
@@ -41,6 +42,9 @@ def note_hits(contacts, count, kept, time, hits, numbers):
             hit = hits[listed]
             hit.a, hit.b, hit.plane = c.a, c.b, c.plane
             hit.time, hit.speed, hit.impulse = time, -c.closing, c.pn
+            s = poses[c.a]
+            hit.x, hit.y, hit.z = s.x, s.y, s.z
+            hit.qw, hit.qx, hit.qy, hit.qz = s.qw, s.qx, s.qy, s.qz
         numbers[numbers.shape[0] - 1, 0] += 1
 
 
