@@ -7,7 +7,21 @@ Will it stay put, what happens if it does not, and what helps? Public names are 
 __version__ = "0.1.0"
 
 
-SUCCESSORS = {"read_scenario": "read"}
+SUCCESSORS = {
+    "read_scenario": "read",
+    "read_room": "read",
+    "read_assembly": "read",
+    "verify_room": "verify",
+    "RoomVerdict": "Verdict",
+    "AssemblyVerdict": "Verdict",
+    "RoomScenario": "Scenario",
+    "AssemblyScenario": "Scenario",
+    "Solid": "Body",
+    "Standing": "Piece",
+    "Assembly": "Scene",
+    "SpaceRun": "Run",
+    "response_spectrum": "Motion.spectrum",
+}
 """Public names that are gone, and the names that do what they did."""
 
 
