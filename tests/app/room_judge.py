@@ -121,7 +121,10 @@ def made() -> dict[str, Any]:
         "runs": 360,
         "seed": 1,
         "seconds": 1.5,
+        "crushed_from_J": 79.0,
+        "crushed": chance(0.7),
         "hit": chance(0.8),
+        "touched": chance(0.2),
         "shut_in": chance(0.1),
         "blocked": chance(0.3),
         "risk": 0.3,
@@ -129,7 +132,9 @@ def made() -> dict[str, Any]:
         "places": [
             {
                 "name": "bed",
+                "crushed": chance(0.7),
                 "hit": chance(0.8),
+                "touched": chance(0.2),
                 "hit_by_day": 0.0,
                 "hit_at_night": 0.8,
                 "shut_in": chance(0.1),
@@ -148,7 +153,18 @@ def made() -> dict[str, Any]:
     }
 
 
-PEOPLE = "hit", "shut_in", "blocked", "risk", "harm_J", "places", "doors"
+PEOPLE = (
+    "crushed_from_J",
+    "crushed",
+    "hit",
+    "touched",
+    "shut_in",
+    "blocked",
+    "risk",
+    "harm_J",
+    "places",
+    "doors",
+)
 CHANGE = "what", "table", "measures", "drilled", "at_m", "heading_rad"
 
 

@@ -23,7 +23,9 @@ if TYPE_CHECKING:
 
 @pytest.fixture(scope="module")
 def plan() -> sp.ActionPlan:
-    verdict = sp.verify(sp.Scenario.parse(ROOM), changes=False, progress=False)
+    shaking = {**ROOM["shaking"], "suite": {"family": "near-fault", "count": 8}}  # enough for a clear effect
+    scenario = sp.Scenario.parse({**ROOM, "shaking": shaking, "uncertainty": {"samples": 8}})
+    verdict = sp.verify(scenario, changes=False, progress=False)
     return sp.action_plan(verdict, progress=False)
 
 

@@ -14,6 +14,6 @@ ROOM: dict[str, Any] = {
     "places": [{"kind": "bed", "at": [1.4, 1.9], "heading": math.pi / 2}],
     "doors": [{"wall": "right_wall", "start": 0.3}],
     "room": {"ceiling": {"height": 2.4}},
-    "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 4}},
-    "uncertainty": {"samples": 4},
+    "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 8}},
+    "uncertainty": {"samples": 8},
 }

@@ -25,7 +25,7 @@ from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.report.room.card import plan_html
 from stayput.report.room.elevation import ELEVATION_SCALES, SIZES, elevation_scale, size_on_paper, sizes_of
 from stayput.rooms.purchases import MARGIN, QUANTILE, DeviceForces, Purchase, purchases_of, quantile_of
-from stayput.rooms.step_words import changes_nothing, checks, not_strong_enough, what_it_brings
+from stayput.rooms.step_words import changes_nothing, checks, measures_on, not_strong_enough, what_it_brings
 from stayput.uncertainty import USUAL
 from stayput.verification.changes import Change, with_changes
 from stayput.verification.contest import Contest
@@ -60,7 +60,10 @@ def plan() -> sp.ActionPlan:
 
 
 def fixes(plan: sp.ActionPlan) -> list[Fix]:
-    return [fix for step in plan.steps for fix in (step.fix, step.instead) if fix is not None]
+    """Return what stands on the card: to buy, instead of that, and not enough."""
+    bought = [fix for step in plan.steps for fix in (step.fix, step.instead) if fix is not None]
+    assert all(fix.sound for fix in bought)
+    return [*bought, *plan.not_enough.values()]
 
 
 def of_people(effect: OptionVerdict) -> People:
@@ -163,7 +166,7 @@ def test_what_still_falls_is_said(plan: sp.ActionPlan):
 def test_on_tatami_there_is_neither_gel_nor_a_wedge():
     scenario = room(furniture=ROOM["furniture"][:1], uncertainty={"samples": 16})
     soft = planned(scenario, tatami=True, plasterboard=True)
-    assert soft.steps
+    assert fixes(soft)
     assert {kind for fix in fixes(soft) for kind in fix.kinds} <= {"l_bracket", "belt", "tension_pole"}
     for fix in fixes(soft):
         assert fix.kinds == ("tension_pole",) or any("plasterboard" in caution[0] for caution in fix.cautions)
@@ -183,13 +186,13 @@ def test_the_grade_is_that_of_the_weakest_input(plan: sp.ActionPlan):
 
 
 @pytest.fixture(scope="module")
-def weaker_shaking() -> sp.ActionPlan:
-    """Return a plan of 6-lower: what holds a full bookcase without drilling is too weak there."""
-    return planned(alone(intensity="6-lower"), threads=1)
+def rented() -> sp.ActionPlan:
+    """Return a plan without drilling: what then holds a full bookcase is too weak."""
+    return planned(alone(), no_drilling=True, threads=1)
 
 
-def test_the_same_bits_for_any_number_of_threads(weaker_shaking: sp.ActionPlan):
-    texts = [plan.to_json() for plan in (weaker_shaking, planned(alone(intensity="6-lower"), threads=3))]
+def test_the_same_bits_for_any_number_of_threads(rented: sp.ActionPlan):
+    texts = [plan.to_json() for plan in (rented, planned(alone(), no_drilling=True, threads=3))]
     assert len({re.sub(r'"seconds": [0-9.]+', "", text) for text in texts}) == 1
 
 
@@ -255,22 +258,24 @@ def test_drawings_are_larger_where_there_are_fewer_steps(plan: sp.ActionPlan):
     assert letters == sorted(letters, reverse=True)
 
 
-def test_a_tenant_is_told_what_else_can_be_done():
-    """What may be done without drilling is too weak: the landlord, and what drilling would bring."""
-    rented = planned(alone(), no_drilling=True)
+def test_a_tenant_is_told_what_else_can_be_done(rented: sp.ActionPlan):
+    """What may be done without drilling is too weak, and no step: ask the landlord, or drill."""
     assert not any(fix.drilled for fix in fixes(rented))
-    assert all(step.instead is None for step in rented.steps)
-    weak = {step.what for step in rented.steps if step.fix and not step.fix.enough} | set(rented.unsolved)
-    assert weak == {"bookcase"} == set(rented.drilled)
+    assert all(step.fix is None for step in rented.steps)
+    assert set(rented.not_enough) == {"bookcase"} == set(rented.drilled)
     fix = rented.drilled["bookcase"]
     assert fix.drilled
+    assert fix.sound
+    assert json.loads(rented.to_json())["not_enough"]["bookcase"]["too_weak"]
     assert json.loads(rented.to_json())["with_drilling"]["bookcase"]["buy"][0]["type"] == fix.kinds[0]
     nothing = planned(alone(), tatami=True, dropped_ceiling=True, no_drilling=True)
     assert nothing.unsolved == ("bookcase",) == tuple(nothing.drilled)
     for language in LANGUAGES:
         page = html.unescape(plan_html(rented, language)).replace("\xa0", " ")
-        for key in ("ask_landlord", "out_of_reach", "drilled"):
+        for key in ("ask_landlord", "out_of_reach"):
             assert say(f"action_plan.{key}", language) in page
+        assert page.count(f"<dt>{say('action_plan.buy', language)}</dt>") == 1  # with drilling only
+        assert say(measures_on("bookcase", rented.not_enough["bookcase"]), language) in page
         assert fix.overturns.texts[LANGUAGES.index(language)] in page
         unsolved = html.unescape(plan_html(nothing, language))
         assert say("action_plan.drilled_on", language, piece=piece_name("bookcase")) in unsolved
@@ -307,9 +312,8 @@ def test_the_command_line_refuses_a_plan_of_no_room(tmp_path: Path, flags: list[
 
 
 def test_what_is_too_weak_says_so_first_and_up_to_which_shaking_it_holds(
-    plan: sp.ActionPlan, weaker_shaking: sp.ActionPlan
+    plan: sp.ActionPlan, rented: sp.ActionPlan
 ):
-    rented = weaker_shaking
     weak = [fix for fix in fixes(rented) if not fix.enough]
     assert weak
     for fix in weak:
@@ -330,11 +334,10 @@ def test_what_is_too_weak_says_so_first_and_up_to_which_shaking_it_holds(
     [(0.0, 0.0, "no_reserve"), (0.5, 0.0, "no_reserve"), (0.0, 0.5, "no_reserve"), (0.5, 0.5, "weak")],
 )
 def test_what_works_in_the_runs_has_no_reserve_and_is_not_too_weak(
-    weaker_shaking: sp.ActionPlan, gives_way: float, overturns: float, key: str
+    plan: sp.ActionPlan, rented: sp.ActionPlan, gives_way: float, overturns: float, key: str
 ):
     """Brackets with which the piece falls in 0 % of the runs are not said to be not strong enough."""
-    plan = weaker_shaking
-    weak = next(fix for fix in fixes(plan) if not fix.enough)
+    weak = next(fix for fix in fixes(rented) if not fix.enough)
     chance, (step, *_) = weak.overturns, [one for one in plan.steps if one.fix]
     fix = replace(
         weak, gives_way=replace(chance, estimate=gives_way), overturns=replace(chance, estimate=overturns)
@@ -343,14 +346,14 @@ def test_what_works_in_the_runs_has_no_reserve_and_is_not_too_weak(
     values = {"fails": fix.gives_way.share, "share": fix.overturns.share}
     assert said is not None
     assert said[0] == phrase(f"action_plan.{key}", strength=class_phrase(plan.verdict.intensity), **values)
-    page = plan_html(replace(plan, steps=(replace(step, fix=fix, instead=None),), unsolved=()))
+    page = plan_html(replace(plan, steps=(replace(step, fix=fix, instead=None),), unsolved=(), not_enough={}))
     dead_end = say("action_plan.not_enough", "en", pieces=piece_name(step.what))
     assert (dead_end in page) == (key == "weak")
 
 
-def test_what_is_too_weak_holds_in_the_class_that_is_named(weaker_shaking: sp.ActionPlan):
+def test_what_is_too_weak_holds_in_the_class_that_is_named(rented: sp.ActionPlan):
     """Runs in that class of shaking find the same devices strong enough, and in the next one no longer."""
-    fix = next(fix for fix in fixes(weaker_shaking) if not fix.enough)
+    fix = next(fix for fix in fixes(rented) if not fix.enough)
     assert fix.enough_to is not None
     measures = tuple(one.measure for one in fix.purchases)
     for level, enough in ((fix.enough_to, True), (fix.enough_to + 0.5, False)):
@@ -360,10 +363,13 @@ def test_what_is_too_weak_holds_in_the_class_that_is_named(weaker_shaking: sp.Ac
         assert all(one.enough for one in purchases) == enough
 
 
-def test_each_check_says_whether_it_is_of_the_step_or_of_its_variant(weaker_shaking: sp.ActionPlan):
-    plan = weaker_shaking
-    number, step = next((n, one) for n, one in enumerate(plan.steps, 1) if one.instead is not None)
-    page = plan_html(plan, "en")
+def test_each_check_says_whether_it_is_of_the_step_or_of_its_variant(
+    plan: sp.ActionPlan, rented: sp.ActionPlan
+):
+    number, step = next((n, one) for n, one in enumerate(plan.steps, 1) if one.fix is not None)
+    step = replace(step, instead=rented.not_enough["bookcase"])
+    steps = tuple(step if n == number else one for n, one in enumerate(plan.steps, 1))
+    page = plan_html(replace(plan, steps=steps), "en")
     assert re.search(rf"<strong>[\d, ]*{number}[\d, ]*</strong>", page)
     label = say("action_plan.steps_instead", "en", steps=str(number))
     assert f"<strong>{label}</strong>" in page

@@ -158,7 +158,7 @@ def test_a_plan_is_made_where_a_piece_carries_another():
     plan = decided(verified(sp.Scenario.parse({**ROOM, **once, "furniture": STACKED})))
     low = [step.fix for step in plan.steps if step.what == "low" and step.fix is not None]
     assert all("wedge_stopper" not in fix.kinds for fix in low)
-    assert plan.steps or plan.unsolved
+    assert plan.steps or plan.unsolved or plan.not_enough
 
 
 def test_a_move_tells_that_the_piece_falls_more_often_there(verdict: sp.Verdict):

@@ -89,17 +89,25 @@ def made(**changed):
             13.0 + n,
             next(left),
             *(Quantiles(*two) for two in ((1.1 + n, 2.2 + n), (31.0 + n, 1720.0 + 100 * n))),
-            falls=1.0 - n,
+            by_falling=n == 0,
         )
         for n, name in enumerate(names)
     ]
     hit, shut_in = next(left), next(left)
     places = tuple(
-        PlaceVerdict(place, next(left) if n == 0 else NEVER, tuple(by) if n == 0 else (), next(left), n == 9)
+        PlaceVerdict(
+            place,
+            NEVER,
+            next(left) if n == 0 else NEVER,
+            NEVER,
+            tuple(by) if n == 0 else (),
+            next(left),
+            n == 9,
+        )
         for n, place in enumerate(plan.places)
     )
     doors = tuple(DoorVerdict(door, next(left), n == 1) for n, door in enumerate(plan.doors))
-    outlooks = Outlook(hit, None), Outlook(shut_in, None), Outlook(NEVER, None)
+    outlooks = (Outlook(chance, None) for chance in (NEVER, hit, NEVER, shut_in, NEVER))
     people = People(*outlooks, 0.317, 45.6, places, doors)
     bare = OptionVerdict(
         option=scenario.stated,
@@ -175,7 +183,7 @@ def counting_hours(people):
 def barred(verdict):
     """Return the chances that the report draws as bars, in its order."""
     return [
-        *(one.hit for one in people_in(verdict).places),
+        *(chance for one in people_in(verdict).places for chance in (one.hit, one.crushed, one.touched)),
         *(one.probability for place in people_in(verdict).places for one in place.by),
         *(one.blocked for one in people_in(verdict).doors if not one.at_rest),
         *(one.shut_in for one in people_in(verdict).places),
@@ -231,7 +239,7 @@ def test_the_tables_hold_the_numbers_of_their_rows():
     hits = rows_of(verdict, "what_hits")
     assert [(row[0][0], *row[1], row[5][0]) for row in hits] == [
         ("bed", HOSTILE, "falls on them", "13 kg"),
-        ("bed", "vase", "slides against them", "14 kg"),
+        ("bed", "vase", "touches them without falling", "14 kg"),
     ]
     assert [row[3:5] for row in hits] == [
         [("1.1 m/s", "90 %: 2.2 m/s"), ("31 J", "90 %: 1.7 kJ")],

@@ -174,8 +174,13 @@ def test_the_verdict_hangs_together(verdict: Verdict):
 
 def test_changes_are_compared_run_by_run_and_what_is_clear_ranks_first(verdict: Verdict):
     assert verdict.others
-    severities = [(bool(one.worse) - one.helps, *of_people(one).severity) for one in verdict.options]
+    as_it_is = verdict.without
+    severities = [
+        (one.standing, one.standing == 0 and one is not as_it_is, *of_people(one).severity)
+        for one in verdict.options
+    ]
     assert severities == sorted(severities)
+    assert {one.rank for one in verdict.options if one.standing == 0} == {as_it_is.rank}
     now = people_in(verdict)
     for one in verdict.others:
         then = of_people(one)
@@ -352,13 +357,13 @@ def test_a_verdict_of_one_motion_says_so():
 
 def test_a_verdict_of_one_record_is_not_of_earthquakes(tmp_path: Path):
     sp.near_fault().write(tmp_path / "own.csv")
-    shaking = {"record": "own.csv", "intensity": "6-upper"}
+    shaking = {"record": "own.csv", "intensity": "7"}
     tables = {"furniture": piece(name="Bookcase 2"), "shaking": shaking, "uncertainty": {"samples": 4}}
     alone = sp.verify(sp.Scenario.parse({**BEDROOM, **tables}, tmp_path), progress=False)
     english, japanese = (alone.sentence(language) for language in LANGUAGES)
-    assert "runs of this record bookcase 2 slides against whoever is in bed" in english
+    assert "runs of this record bookcase 2 falls on whoever is in bed" in english
     assert "この記録による計算" in japanese
-    assert "「本棚2」が滑ってベッドにいる人に当たります" in japanese
+    assert "「本棚2」がベッドにいる人の上に倒れます" in japanese
     best = best_sentence(alone, "en")
     assert "The chance that somebody is hit falls by " in best
     assert "the bookcase 2" not in best

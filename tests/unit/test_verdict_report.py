@@ -213,7 +213,7 @@ def test_heights_that_read_alike_are_told_once():
     leaving = {height: Leaving(height, 1.41, 0.5, 1.0) for height in (1.0, 1.4)}
     said = {}
     for height, left in leaving.items():
-        contents = ContentsVerdict(out, 0.0, 1.0, out, out, None, left)
+        contents = ContentsVerdict(out, 0.0, 1.0, out, out, None, left, np.eye(4))
         verdict = made(scenario={**SCENARIO, "contents": {"kind": "books"}})
         option = replace(verdict.best, contents=contents)
         said[height] = reason(option, verdict, "en"), reason(option, verdict, "ja")

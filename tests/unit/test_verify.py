@@ -40,10 +40,9 @@ def verdict():
 
 
 def test_every_option_is_there_ranked_and_counted(verdict):
-    assert [one.rank for one in verdict.options] == [1, 2, 3]
+    assert [one.rank for one in verdict.options] == [1, 2, 2]  # glides differ in nothing clear
     shares = {one.option.name: one.probabilities[OVERTURNED].estimate for one in verdict.options}
-    assert set(shares) == {"none", "l_bracket", "felt_glides"}
-    assert list(shares.values()) == sorted(shares.values())
+    assert list(shares) == ["l_bracket", "none", "felt_glides"]
     assert verdict.without.option.measures == ()
     assert verdict.without.change is None
     assert verdict.best is verdict.options[0]

@@ -23,11 +23,12 @@ DATA = {
     "dimensions": 2,
     "furniture": {"preset": "bookcase"},
     "room": {"left_wall": {"gap": 0.02}},
-    "shaking": {"intensity": 6.25, "suite": {"count": 4}},
+    "shaking": {"intensity": 6.25, "suite": {"count": 8}},
     "contents": {"kind": "books"},
     "measures": [{"type": "l_bracket"}],
     "uncertainty": {"samples": 8},
 }
+FEW = {"intensity": 6.25, "suite": {"count": 4}}
 
 
 @pytest.fixture(scope="module")
@@ -39,7 +40,7 @@ def test_each_option_has_a_share_with_its_interval(verdict):
     for option in verdict.options:
         out = option.contents.out
         assert 0.0 <= out.low <= out.estimate <= out.high <= 1.0
-        assert (out.runs, out.motions) == (4 * 5 * 8, 4)
+        assert (out.runs, out.motions) == (8 * 5 * 8, 8)
         assert option.contents.mass_out == pytest.approx(160.0 * out.estimate)
     assert verdict.best.contents.out.estimate > 0.05
     assert verdict.best.contents.rigid.estimate == 0.0
@@ -111,7 +112,8 @@ def test_what_comes_out_is_of_the_measure_that_is_named(verdict):
     named = "With screwed L-brackets, {}{} of the books come out ("
     share = verdict.best.contents.out.share[0]
     bare = replace(verdict.without, probabilities=verdict.best.probabilities)
-    steady = replace(verdict, options=(verdict.best, bare))
+    unclear = replace(verdict.best.change, low=-1.0, high=0.1)
+    steady = replace(verdict, options=(replace(verdict.best, change=unclear), bare))
     upright, _, rest = steady.sentence().partition(" of the cases. ")
     assert "stays upright without any measure in these runs; it may overturn in under " in upright
     assert rest.startswith(named.format("", share))
@@ -119,7 +121,7 @@ def test_what_comes_out_is_of_the_measure_that_is_named(verdict):
     installed = AsInstalled(0.2, (("loosely", "緩く"),), verdict.best.probabilities, chances)
     usual = replace(verdict, options=(replace(verdict.best, installed=installed), verdict.without))
     assert (
-        "With screwed L-brackets, as people install such devices, it overturns in under 63 %. "
+        "With screwed L-brackets, as people install such devices, it overturns in under 40 %. "
         in usual.sentence()
     )
     assert named.format("well installed, ", share) in usual.sentence()
@@ -140,7 +142,7 @@ def test_it_is_in_every_file(verdict, tmp_path):
 
 def test_a_verification_in_space_follows_contents_there():
     """Each motion's first draw is followed: where one sample is made, those runs are the verification's."""
-    data = {**DATA, "dimensions": 3, "uncertainty": {"samples": 1}}
+    data = {**DATA, "dimensions": 3, "shaking": FEW, "uncertainty": {"samples": 1}}
     for option in verify(Scenario.parse(data), levels=[], progress=False, threads=1).options:
         # followed at finer samples, which a run that all but falls may tell
         rigid, overturned = option.contents.rigid.estimate, option.probabilities["overturned"].estimate
@@ -150,7 +152,7 @@ def test_a_verification_in_space_follows_contents_there():
 
 @pytest.mark.parametrize("dimensions", [2, 3])
 def test_their_runs_do_not_move_the_bar_and_do_not_depend_on_threads(dimensions):
-    scenario = Scenario.parse({**DATA, "dimensions": dimensions})
+    scenario = Scenario.parse({**DATA, "dimensions": dimensions, "shaking": FEW})
     seen, told = [], []
     for threads in (1, 3):
         verdict = verify(

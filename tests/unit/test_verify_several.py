@@ -279,7 +279,8 @@ def test_a_verdict(verdict: Verdict) -> None:
     assert verdict.runs == 2 * 7
     assert verdict.scenario.counted == (0, 1)
     assert verdict.without.probabilities["overturned"].estimate > 0.6
-    assert verdict.best.probabilities["overturned"].estimate == 0.0
+    assert verdict.best is verdict.without  # two runs show no clear difference
+    assert min(option.probabilities["overturned"].estimate for option in verdict.options) == 0.0
     assert "furniture overturns" in verdict.sentence("en")
     assert "家具のいずれかが" in verdict.sentence("ja")
     joined = next(one for one in verdict.options if one.option.name == "joined")
@@ -347,13 +348,14 @@ def test_runs_are_made_again(verdict: Verdict) -> None:
 
 def test_what_is_written(verdict: Verdict, tmp_path: Path) -> None:
     data = json.loads(verdict.to_json())
-    assert [option["rank"] for option in data["options"]] == list(range(1, 8))
+    ranks = [option["rank"] for option in data["options"]]
+    assert (len(ranks), ranks[0], ranks) == (7, 1, sorted(ranks))
     assert [piece["counts"] for piece in data["options"][0]["pieces"]] == [True, True, False]
     rows = list(csv.DictReader(io.StringIO(verdict.to_csv())))
     assert len(rows) == 7
-    assert rows[0]["overturned"] == "0.0"
+    assert "0.0" in {row["overturned"] for row in rows}
     page = verdict.report(tmp_path / "ja.html", "ja").read_text(encoding="utf-8")
-    assert page.count("<iframe") == 4
+    assert page.count("<iframe") == 2  # of the pieces as they are, since nothing clearly helps
     assert verdict.sentence("ja") in page
     assert say("several.rolling_text", "ja") in page  # of the vase
     for language in ("en", "ja"):

@@ -84,6 +84,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "weak_to": ("with reserve up to {strength}", "{strength}までなら余裕があります"),
     "not_enough": ("Not enough for {pieces}: what else you can do",
                    "強さや効果が足りない家具（{pieces}）に、ほかにできること"),
+    "more_runs": (("Where there is no clear difference, the runs may be too few to show one: verify the room "
+                   "with more of them."),
+                  ("明らかな差がない場合は、計算の回数が足りないことがあります。"
+                   "回数を増やして確かめてください。")),
     "ask_landlord": (("Ask the landlord, before you buy, whether furniture may be screwed to the studs of "
                       "the wall. In Japan the Ministry of Land's guideline on restoring rented homes "
                       "names this consent for holding furniture."),

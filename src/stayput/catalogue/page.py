@@ -307,8 +307,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "rankingRough": ("So far; runs of each: {runs}. It may still change.",
                      "ここまで各{runs}回の計算による順位です。まだ変わることがあります。"),
     "rankingNote": (("The bar is the chance of falling over, the thin line is how sure that is. Best "
-                     "first. The letter is the grade of the inputs."),
-                    ("棒は倒れる確率、細い線はその確かさを表します。効果の高い順です。"
+                     "first; what does not clearly differ shares a rank. The letter is the grade of the "
+                     "inputs."),
+                    ("棒は倒れる確率、細い線はその確かさを表します。"
+                     "効果の高い順で、明らかな差がなければ同じ順位です。"
                      "「根拠」は入力の区分です。")),
     "grade": ("inputs: {grade}", "根拠：{grade}"),
     "gradeOf": ("Grade {grade}, that of the weakest inputs that this number rests on: {inputs}",

@@ -27,12 +27,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     "after": ("With the best of those compared", "比較した中で最良の対策"),
     "ranking": ("The measures, best first", "対策の順位"),
     "ranking_text": (("Shares of all runs with their 95 % intervals. All measures met the same motions "
-                      "and the same draws. Ranked by overturning; where that is equal, by sliding, "
-                      "failing devices, and hits on a wall. “Unsure”: the runs are too few to say it with "
-                      "95 % confidence of all measures together."),
+                      "and the same draws. Ranked by what clearly differs: overturning, then what comes "
+                      "out of the furniture, then sliding. What does not clearly differ shares a rank. "
+                      "“Unsure”: the runs are too few to say it with 95 % confidence of all measures "
+                      "together."),
                      ("全計算に対する割合と95%区間です。どの対策にも同じ地震動と同じ標本を用いています。"
-                      "順位は転倒の少なさで決め、同じなら移動、器具の破損・脱落、"
-                      "壁への衝突の順に比べます。「不確実」は、計算数が少なく、"
+                      "順位は、転倒、収納物の飛び出し、移動の順に、明らかな差があるもので決めます。"
+                      "明らかな差がなければ同じ順位です。「不確実」は、計算数が少なく、"
                       "比較した対策全体で95%の信頼度では言えないものです。")),
     "grade": ("Grade of its inputs", "入力の根拠"),
     "brief_grade": ("Grade", "根拠"),

@@ -65,19 +65,20 @@ TEXTS: dict[str, tuple[str, str]] = {
     "dayAndNight": ("Counting how often somebody is there: {day} by day, {night} at night.",
                     "人がいる時間の割合を掛けると、昼は{day}、夜は{night}です。"),
     "fallsOn": ("“{piece}” falls on them", "「{piece}」が倒れかかる"),
-    "slidesAgainst": ("“{piece}” slides against them", "「{piece}」が滑って当たる"),
+    "touches": ("“{piece}” touches them without falling", "「{piece}」が倒れずに触れる"),
     "hitByNothing": ("Nothing hits there.", "当たる家具はありません。"),
-    "impact": ("It weighs {mass} kg. Speed where it hits: {speed}. Energy: {energy}.",
-               "重さは{mass} kg。当たる速さは{speed}。エネルギーは{energy}。"),
+    "crushedOrTouched": (("Crushed, hit with {energy} J or more: {crushed}. Touched without a fall: "
+                          "{touched}."),
+                         "{energy} J以上で当たる（下敷き）：{crushed}。倒れない家具が触れる：{touched}。"),
+    "impact": ("It weighs {mass} kg. Speed there: {speed}. Energy: {energy}.",
+               "重さは{mass} kg。その場所での速さは{speed}。エネルギーは{energy}。"),
     "htmlOfRoom": ("Animation (HTML)", "動画（HTML）"),
     "gifOfRoom": ("Animation, 10 s (GIF)", "動画、10秒（GIF）"),
     "mp4OfRoom": ("Animation, 10 s (MP4)", "動画、10秒（MP4）"),
     "noInjury": (("Chances are for somebody who is there. Speed and energy are upper bounds: no bed and "
-                  "no person holds the piece up. Whether such a blow injures is not computed, and no "
-                  "threshold of injury is used."),
+                  "no person holds the piece up. Whether such a blow injures is not computed."),
                  ("確率は、その場所に人がいる場合のものです。速さとエネルギーは、"
-                  "ベッドや人が家具を支えないとした上限です。けがをするかどうかは計算しておらず、"
-                  "けがの基準値も使っていません。")),
+                  "ベッドや人が家具を支えないとした上限です。けがをするかどうかは計算していません。")),
     "waysOut": ("Doors and ways out", "ドアと避難経路"),
     "noDoors": ("There is no door in the room yet.", "部屋にまだドアがありません。"),
     "doorBlocked": ("{door}: stays blocked", "{door}がふさがる"),

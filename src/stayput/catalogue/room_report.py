@@ -32,21 +32,26 @@ TEXTS: dict[str, tuple[str, str]] = {
     "overturns": ("overturns: {share}", "転倒：{share}"),
     # Places
     "places": ("Who is hit, and how often", "人に当たる確率"),
-    "places_text": (("The chance that a piece touches whoever is there, with its 95 % interval{covers}. "
-                     "By day ({day:g} hours) and at night ({night:g} hours) it is multiplied by the share "
-                     "of the time in which somebody is there."),
-                    ("そこにいる人に家具が触れる確率と95%区間です{covers}。"
+    "places_text": (("The chance that a falling piece hits whoever is there, with its 95 % interval{covers}; "
+                     "crushed: with {energy:g} J or more. Pieces that touch without falling are counted "
+                     "apart. By day ({day:g} hours) and at night ({night:g} hours) the chance of being hit "
+                     "is multiplied by the share of the time in which somebody is there."),
+                    ("そこにいる人に、倒れる家具が当たる確率と95%区間です{covers}。"
+                     "そのうち{energy:g} J以上で当たる場合を「下敷き」とします。"
+                     "倒れずに触れる家具は別に数えます。"
                      "昼（{day:g}時間）と夜（{night:g}時間）の値は、"
-                     "これに人がいる時間の割合を掛けたものです。")),
+                     "当たる確率に人がいる時間の割合を掛けたものです。")),
     "covers": (", which covers other such earthquakes too", "（同じ強さのほかの地震も考えた区間です）"),
     "place": ("Place", "場所"),
-    "hit": ("Hit by any piece", "いずれかの家具が当たる"),
+    "hit": ("Hit by a falling piece", "倒れる家具が当たる"),
+    "crushed": ("Crushed", "下敷きになる"),
+    "touched": ("Touched", "倒れない家具が触れる"),
     "by_day": ("By day", "昼"),
     "by_night": ("At night", "夜"),
     "presence": ("there {share} of the time", "人がいる時間 {share}"),
-    "what_hits": ("What hits, and how hard", "当たる家具とその強さ"),
+    "what_hits": ("What hits or touches, and how hard", "当たる家具・触れる家具とその強さ"),
     "what_hits_text": (("Largest speed of the part that comes there, and largest kinetic energy of the "
-                        "piece, over the runs in which it hits: the median, and what nine in ten do not "
+                        "piece, over the runs in which it does: the median, and what nine in ten do not "
                         "exceed. They are upper bounds, because in the model neither a bed nor a person "
                         "holds the piece up. Injuries are not predicted."),
                        ("当たった計算での、その場所に入る部分の最大の速さと、"
@@ -54,11 +59,11 @@ TEXTS: dict[str, tuple[str, str]] = {
                         "モデルでは人もベッドも家具を受け止めないため、上限を示す値です。"
                         "けがの程度は予測しません。")),
     "piece": ("Piece", "家具"),
-    "how_often": ("Hits", "当たる確率"),
+    "how_often": ("How often", "確率"),
     "hit_speed": ("Speed: median, 90 %", "速度：中央値、90%値"),
     "hit_energy": ("Energy: median, 90 %", "エネルギー：中央値、90%値"),
     "mass": ("Mass", "質量"),
-    "no_hit": ("No piece touched a person in any run.", "どの計算でも、人に触れた家具はありません。"),
+    "no_hit": ("No piece came to a person in any run.", "どの計算でも、人に触れた家具はありません。"),
     "no_places": ("No places of persons are given, so nothing is said about who is hit.",
                   "人のいる場所が指定されていないため、人に当たるかどうかは判定していません。"),
     # Doors and ways out

@@ -74,8 +74,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "interval": ("95 % interval: ", "95%区間："),
     "falls_on": ("{often} {piece} falls on whoever is {place}{interval}",
                  "{often}{piece}が{place}にいる人の上に倒れます{interval}"),
-    "slides_against": ("{often} {piece} slides against whoever is {place}{interval}",
-                       "{often}{piece}が滑って{place}にいる人に当たります{interval}"),
+    "touches": ("{often} {piece} touches whoever is {place} without falling{interval}",
+                "{often}{piece}が倒れずに{place}にいる人に触れます{interval}"),
     "nobody_hit": ("in these runs nobody is hit; somebody may be {often}",
                    "計算した範囲では、人に当たる家具はありません（{often}当たる可能性は否定できません）"),
     "no_places": ("no place of a person is given", "人のいる場所が指定されていません"),
@@ -139,10 +139,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "motions": ("{count} motions", "地震動{count}本"),
     "report": ("Verification of a room", "部屋の地震対策の検証"),
     "by_falling": ("falls on them", "倒れかかる"),
-    "by_sliding": ("slides against them", "滑って当たる"),
+    "by_touching": ("touches them without falling", "倒れずに触れる"),
     "upper_bounds": (("Chances are for somebody who is there, with their 95 % intervals; by day and at "
                       "night they are multiplied by the share of the time in which somebody is there. A "
-                      "piece that comes less than 5 cm into the place hits nobody. Speed and energy are "
+                      "piece that comes less than 5 cm into the place touches nobody. Speed and energy are "
                       "medians, and upper bounds: in the model neither a bed nor a person holds the piece "
                       "up."),
                      ("確率は、そこに人がいる場合の値と95%区間です。昼と夜の値は、"

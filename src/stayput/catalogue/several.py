@@ -29,11 +29,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     # The report
     "about": (("Simulated in space, under all components of the motions, with friction and impacts "
                "between the pieces. Options are ranked by how often any piece of furniture overturns "
-               "(presets and boxes), then by sliding, failing devices and hits on walls; other objects "
-               "are listed by themselves."),
+               "(presets and boxes), then by sliding, where that clearly differs; other objects are listed "
+               "by themselves."),
               ("三次元で、地震動のすべての成分と、家具どうしの摩擦・衝突を考慮して計算しました。順位は、"
-               "いずれかの家具（規定の家具と直方体）が転倒する割合、移動、器具の破損、"
-               "壁への衝突の順で決めています。そのほかの物は個別に示します。")),
+               "いずれかの家具（規定の家具と直方体）が転倒する割合、移動の順に、"
+               "明らかな差があるもので決めています。そのほかの物は個別に示します。")),
     "brief_text": (("Columns of events count any piece of furniture; those of the pieces tell how often "
                     "each overturns."),
                    "事象の列はいずれかの家具に起こる割合、各家具の列はその家具が転倒する割合です。"),

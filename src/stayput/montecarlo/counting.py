@@ -101,6 +101,10 @@ class Outcomes:
         """Return whether each of `EVENTS` happened; ``slide_limit`` is the slide that is too far [m]."""
         return self.overturned, self.slide > slide_limit, self.hit_wall, self.device_failed
 
+    def moved(self, slide_limit: float) -> NDArray[np.bool_]:
+        """Return whether it slid farther than a limit [m] or overturned: what falls has moved."""
+        return self.overturned | (self.slide > slide_limit)
+
     def probabilities(self, slide_limit: float) -> dict[str, Probability]:
         """Return the probability of each of `EVENTS`; ``slide_limit`` is the slide that is too far [m]."""
         happened = self.happened(slide_limit)
@@ -108,8 +112,8 @@ class Outcomes:
 
     def stability(self, slide_limit: float) -> Stability:
         """Return how firmly it stands; it moves where it slides too far or rocks."""
-        fell, slid, *_ = self.happened(slide_limit)
-        shares = (self._probability(flags).estimate for flags in (fell, fell | slid | (self.tilt > ROCKS)))
+        moves = self.moved(slide_limit) | (self.tilt > ROCKS)
+        shares = (self._probability(flags).estimate for flags in (self.overturned, moves))
         return expected(*shares)
 
     def _probability(self, happened: NDArray[np.bool_]) -> Probability:

@@ -1,9 +1,10 @@
 """`action_plan`: which moves and measures help most in a room, how strong they must be, and in which order.
 
 One thing at most is moved, what brings most, unless it has been decided what to move. On each piece that does
-harm, or overturns often wherever it falls, come the measures that have been decided on, else the set with
-which it does least harm by itself; a device on a wall comes in such a number that what it is screwed to bears
-it, as far as the studs behind the piece allow. All runs are under the same earthquakes and draws.
+harm, or overturns often wherever it falls, come the measures that have been decided on, else that set with
+which it does least harm by itself, of those that clearly help and are not too weak; a device on a wall comes
+in such a number that what it is screwed to bears it, as far as the studs behind the piece allow. All runs are
+under the same earthquakes and draws.
 """
 
 from __future__ import annotations
@@ -23,7 +24,6 @@ from stayput.progress import tally
 from stayput.rooms.purchases import Purchase, in_number, purchases_of
 from stayput.rooms.step_words import why_not
 from stayput.rooms.steps import (
-    ALIKE,
     ActionPlan,
     ChosenStep,
     Decisions,
@@ -34,7 +34,6 @@ from stayput.rooms.steps import (
     Trial,
     decisions_of,
     for_people,
-    frees,
     in_order_of_gain,
     merit,
 )
@@ -44,7 +43,7 @@ from stayput.verification.changes import Change, measures_for, with_changes
 from stayput.verification.compare import option_verdict
 from stayput.verification.contest import Contest
 from stayput.verification.options import TRIED, compared_options, inputs_of_piece
-from stayput.verification.people import harm_step, hits_in
+from stayput.verification.people import hits_in
 from stayput.verification.search import falling_pieces, harmful_pieces, held, moves_of
 from stayput.verification.verdict import OptionVerdict, Verdict
 
@@ -105,8 +104,8 @@ def action_plan(
     ...     "plan": {"width": 2.4, "length": 2.0},
     ...     "furniture": [{"name": "shelf", "preset": "bookcase", "against": "left_wall", "along": 1.0}],
     ...     "places": [{"kind": "desk", "at": [1.3, 1.0]}],
-    ...     "shaking": {"intensity": "6-lower", "suite": {"family": "near-fault", "count": 3}},
-    ...     "uncertainty": {"samples": 3},
+    ...     "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 8}},
+    ...     "uncertainty": {"samples": 8},
     ... })
     >>> verdict = sp.verify(scenario, changes=False, progress=False)
     >>> plan = sp.action_plan(verdict, progress=False)
@@ -140,7 +139,9 @@ def action_plan(
         seconds=time.perf_counter() - began,
         complete=True,
     )
-    return ActionPlan(now, home, steps, unsolved, planner.drilled, planner.reasons())
+    return ActionPlan(
+        now, home, steps, unsolved, planner.drilled, planner.reasons(), not_enough=planner.not_enough
+    )
 
 
 class _Planner:
@@ -167,6 +168,7 @@ class _Planner:
         self.harmful = {*struck} | harmful_pieces(contest, self.scene, self.runs)
         self.falling = falling_pieces(self.runs)
         self.drilled: dict[str, Fix] = {}
+        self.not_enough: dict[str, Fix] = {}
         self._not_taken: dict[str, dict[tuple[str, ...], Phrase]] = {}
         self._known: dict[str, OptionVerdict] = {}
         self._weaker: dict[float, Contest] = {}
@@ -182,7 +184,9 @@ class _Planner:
             fixing = self._fixing(body, moves)
             if fixing is not None:
                 chosen.append(fixing)
-            elif names[body] not in moved or body in self.falling:
+            elif names[body] in moved and body not in self.falling:
+                self.not_enough.pop(names[body], None)
+            elif names[body] not in self.not_enough:
                 unsolved.append(names[body])
         steps = tuple(self._in_order([*chosen]))
         kept = {step.what for step in steps if step.fix is not None}
@@ -271,7 +275,10 @@ class _Planner:
         return self.as_it_is.pieces[body].probabilities[OVERTURNED]
 
     def _fixing(self, body: int, moves: tuple[Change, ...]) -> ChosenStep | None:
-        """Return the best measures on a piece, which stands where it is to stand after some moves."""
+        """Return the best measures on a piece, which stands where it is to stand after some moves.
+
+        Where they are too weak, or do not clearly help, they are not enough, and no step.
+        """
         decided = self.decisions.measures.get(body)
         why = self._not_taken.setdefault(self.scenario.names[body], {})
         if decided is None:
@@ -284,32 +291,40 @@ class _Planner:
         if not tried:
             self._with_drilling(body, moves)
             return None
-        best = min(tried, key=merit)
-        fix = self._fitted(best, body, moves)
-        if not fix.enough:
+        sound = None if decided else self._sound(tried, body, moves)
+        fix = sound or self._fitted(min(tried, key=merit), body, moves)
+        if not fix.enough or not fix.alone.helps:
             self._with_drilling(body, moves)
         undrilled = [trial for trial in tried if not any(measure.drilled for measure in trial.measures)]
-        instead = None
-        if fix.drilled and undrilled:
-            instead = self._fitted(min(undrilled, key=merit), body, moves)
+        instead = self._sound(undrilled, body, moves) if fix.drilled else None
         shown = {way.kinds for way in (fix, instead) if way is not None}
+        best = next(trial for trial in tried if trial.kinds == fix.kinds)
         why.update({trial.kinds: why_not(trial, best) for trial in tried if trial.kinds not in shown})
         measures, was = tuple(purchase.measure for purchase in fix.purchases), self._overturned(body)
         deciding = inputs_of_piece(measures, self.scenario, body)
         what, alone, as_decided = self.scenario.names[body], fix.alone, decided is not None
+        if not sound and not as_decided:
+            self.not_enough[what] = fix
+            return None
         step = PlanStep(what, None, fix, alone, alone, was, instead, deciding, decided=as_decided)
         return ChosenStep(step, self._on(body, measures))
 
     def _with_drilling(self, body: int, moves: tuple[Change, ...]) -> None:
-        """Keep the best measures on a piece of those that only the ban on drilling rules out, if any."""
+        """Keep the best measures on a piece that only the ban on drilling rules out, where they are sound."""
         tried = self._helpful(body, moves, [kinds for kinds in TRIED if not self.home.allows(kinds)])
-        if tried:
-            name = self.scenario.names[body]
-            self.drilled[name] = self._fitted(min(tried, key=merit), body, moves)
+        if fix := self._sound(tried, body, moves):
+            self.drilled[self.scenario.names[body]] = fix
+
+    def _sound(self, tried: Iterable[Trial], body: int, moves: tuple[Change, ...]) -> Fix | None:
+        """Return the best measures that clearly help and are not too weak where the piece will stand."""
+        helping = sorted((trial for trial in tried if trial.effect.helps), key=merit)
+        fixes = (self._fitted(trial, body, moves) for trial in helping)
+        return next((fix for fix in fixes if fix.sound), None)
 
     def _helpful(self, body: int, moves: tuple[Change, ...], sets: Sequence[tuple[str, ...]]) -> list[Trial]:
         """Run sets of measures on a piece; return those that help and can be put on it where it will be."""
-        bare, helpful = harm_step(self._harm(self.as_it_is, body)), list[Trial]()
+        now, helpful = self._overturned(body), list[Trial]()
+        bare = Trial((), self.as_it_is, self._harm(self.as_it_is, body), now, now)
         why = self._not_taken[self.scenario.names[body]]
         for kinds in sets:
             measures = measures_for(kinds, self.scene, body)
@@ -318,7 +333,7 @@ class _Planner:
                 why[kinds] = refused
                 continue
             trial = self._trial(body, self._in_number(body, measures, moves))
-            if harm_step(trial.harm) < bare or frees(trial.effect) or self._steadies(trial, body):
+            if merit(trial) < merit(bare):
                 helpful.append(trial)
             else:
                 why[kinds] = why_not(trial)
@@ -327,11 +342,6 @@ class _Planner:
     def _harm(self, effect: OptionVerdict, body: int) -> float:
         """Return the harm of a piece and of what stands on it or bears it [J]."""
         return sum(effect.pieces[number].harm for number in self.group_of[body])
-
-    def _steadies(self, tried: Trial, body: int) -> bool:
-        """Return whether a piece that overturns often does so less with measures, clearly or not."""
-        less = self._overturned(body).estimate - tried.overturns.estimate
-        return body in self.falling and less > ALIKE
 
     def _on(self, body: int, measures: tuple[Measure, ...]) -> tuple[Change, ...]:
         return tuple(Change(self.scenario.names[body], measure) for measure in measures)

@@ -107,6 +107,8 @@ def why_not(tried: Trial, taken: Trial | None = None) -> Phrase:
         return phrase("action_plan.too_weak", fails=tried.gives_way.share, **shares)
     if taken is None:
         return phrase("action_plan.helps_not", **shares)
+    if not effect.helps:
+        return phrase("action_plan.no_gain")
     people = effect.people
     assert people is not None
     keys = {
@@ -259,7 +261,12 @@ def heading(step: PlanStep, plan: ActionPlan) -> Phrase:
     if step.fix is None:
         assert step.move is not None
         return capital(label_of(step.move, plan.verdict))
-    return joined((capital(piece_name(step.what)), products(step.fix)), "common.colon")
+    return measures_on(step.what, step.fix)
+
+
+def measures_on(name: str, fix: Fix) -> Phrase:
+    """Return what is put on a piece: "Bookcase: belts × 2"."""
+    return joined((capital(piece_name(name)), products(fix)), "common.colon")
 
 
 def capital(words: Phrase) -> Phrase:

@@ -228,6 +228,11 @@ class Fix:
         return not self.enough and fails_to_hold(self.gives_way, self.overturns)
 
     @property
+    def sound(self) -> bool:
+        """Whether it is worth buying: it clearly helps, and is not too weak."""
+        return self.alone.helps and not self.too_weak
+
+    @property
     def kinds(self) -> tuple[str, ...]:
         """The kinds of its measures."""
         return tuple(purchase.measure.kind for purchase in self.purchases)
@@ -318,26 +323,28 @@ class ActionPlan:
     unsolved : tuple of str
         Pieces that do harm or overturn often, and on which nothing that may be done helps.
     drilled : mapping
-        Where nothing may be drilled: the best measures that are, on each piece for which all others are too
-        weak or do not help.
+        Where nothing may be drilled: the best measures that are, and would be enough, on each piece for which
+        all others are not.
     not_taken : mapping
         The sets of measures that were not taken on a piece, by their kinds, and why.
+    not_enough : mapping
+        The best measures on each piece that has no step since all are too weak or do not clearly help.
 
     Examples
     --------
     >>> import stayput as sp
     >>> scenario = sp.Scenario.parse({
     ...     "plan": {"width": 3.0, "length": 2.5},
-    ...     "furniture": [{"name": "cupboard", "preset": "cupboard", "against": "left_wall", "along": 1.0}],
+    ...     "furniture": [{"name": "shelf", "preset": "bookcase", "against": "left_wall", "along": 1.0}],
     ...     "places": [{"kind": "bed", "at": [1.6, 1.0], "heading": 1.5708}],
-    ...     "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 4}},
-    ...     "uncertainty": {"samples": 4},
+    ...     "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 8}},
+    ...     "uncertainty": {"samples": 8},
     ... })
     >>> verdict = sp.verify(scenario, changes=False, progress=False)
     >>> plan = sp.action_plan(verdict, progress=False)
     >>> now, then = verdict.without.people.hit, plan.together.people.hit
-    >>> now.chance.fell, then.chance.fell  # of 4 earthquakes: as it is, and after all steps
-    (1, 0)
+    >>> now.chance.fell, then.chance.fell  # of 8 earthquakes: as it is, and after all steps
+    (5, 0)
     """
 
     verdict: Verdict
@@ -346,6 +353,7 @@ class ActionPlan:
     unsolved: tuple[str, ...]
     drilled: Mapping[str, Fix] = field(default_factory=dict[str, "Fix"])
     not_taken: Mapping[str, NotTaken] = field(default_factory=dict[str, "NotTaken"])
+    not_enough: Mapping[str, Fix] = field(default_factory=dict[str, "Fix"])
 
     def __repr__(self) -> str:
         return f"ActionPlan({len(self.steps)} steps, {len(self.unsolved)} pieces unsolved; {self.verdict!r})"
@@ -421,10 +429,3 @@ def merit(tried: Trial) -> tuple[float, ...]:
     """Return the sort key of measures on a piece: of those that bring the same, what it falls with least."""
     ways = for_people(tried.effect)[1:]
     return (harm_step(tried.harm), *ways, round(tried.overturns.estimate / ALIKE), len(tried.measures))
-
-
-def frees(effect: OptionVerdict) -> bool:
-    """Return whether a way out is free more often, clearly or not."""
-    people = effect.people
-    ways = () if people is None else (people.shut_in.change, people.blocked.change)
-    return any(change is not None and change.estimate < 0.0 for change in ways)

@@ -20,7 +20,7 @@ from stayput.fragility.probabilities import probability
 from stayput.fragility.trials import Trials
 from stayput.measures.element import weakest
 from stayput.mechanics.devices.columns import HOLDS
-from stayput.montecarlo.counting import Outcomes, Quantiles, severity, worst_of
+from stayput.montecarlo.counting import Outcomes, Quantiles, worst_of
 from stayput.montecarlo.hazard import FloorMotions, Hazard
 from stayput.montecarlo.sampling import FIRST_SAMPLES, Settings, sample_until_precise
 from stayput.motion.intensity import INTENSITY_RANGE
@@ -32,6 +32,7 @@ from stayput.verification.events import zones_of
 from stayput.verification.notes import Estimates
 from stayput.verification.options import compared_options
 from stayput.verification.people import hardest, harm_of, people_of, typical_of
+from stayput.verification.ranking import in_order, ranks_of
 from stayput.verification.search import tried_options
 from stayput.verification.verdict import AsInstalled, DeviceSummary, OptionVerdict, PieceVerdict, Verdict
 
@@ -226,8 +227,7 @@ def verdicts_of(
 ) -> tuple[OptionVerdict, ...]:
     """Return the verdicts on options, that without anything first in its arguments, the best first.
 
-    What clearly helps people ranks before what does not, and that before what clearly makes something worse;
-    then harm to people; then `stayput.montecarlo.counting.severity`.
+    How they rank is in `stayput.verification.ranking`.
     """
     verdicts: list[OptionVerdict] = []
     for i, (option, runs) in enumerate(zip(options, outcomes, strict=True)):
@@ -237,17 +237,13 @@ def verdicts_of(
         further = {"installed": installed.get(option.name), "contents": inside[i] if inside else None}
         verdicts.append(replace(verdict, curves=curves, capacities=capacities, **further))
 
-    def key(i: int) -> tuple[float, ...]:
-        verdict = verdicts[i]
-        kind = -1 if verdict.helps else int(bool(verdict.worse))
-        harm = () if verdict.people is None else (kind, *verdict.people.severity)
-        return *harm, *severity(verdict.probabilities, options[i].count), i
-
-    order = sorted(range(len(verdicts)), key=key)
+    order = in_order(verdicts)
     best = outcomes[order[0]]
     if contest.scenario.plan is None:  # both are shown under the same draw
         verdicts[0] = replace(verdicts[0], typical=typical_of(outcomes[0], best))
-    return tuple(replace(verdicts[i], rank=rank) for rank, i in enumerate(order, start=1))
+    ordered, limit = [verdicts[i] for i in order], contest.settings.slide_limit
+    ranks = ranks_of(ordered, [outcomes[i] for i in order], limit)
+    return tuple(replace(verdict, rank=rank) for verdict, rank in zip(ordered, ranks, strict=True))
 
 
 def option_verdict(
@@ -281,17 +277,18 @@ def option_verdict(
         harm = [harm_of(hardest(runs, [n]), plan.places, runs.missing) for n in range(len(each))]
         zones = zones_of(runs, pieces, contest.watcher, plan)
 
-    def change(of: Outcomes, without: Outcomes | None) -> Difference | None:
+    def change(of: Outcomes, without: Outcomes | None, *, moved: bool = False) -> Difference | None:
         if without is None:
             return None
-        missing = of.missing | without.missing
-        return difference(of.overturned, without.overturned, missing, comparisons=comparisons)
+        now, then = (each.moved(limit) if moved else each.overturned for each in (of, without))
+        return difference(now, then, of.missing | without.missing, comparisons=comparisons)
 
     return OptionVerdict(
         option=option,
         rank=0,
         probabilities=runs.probabilities(limit),
         change=change(runs, bare),
+        slid=change(runs, bare, moved=True),
         slide=Quantiles.of(runs.slide, runs.overturned),
         tilt=Quantiles.of(runs.tilt, runs.overturned),
         typical=typical_of(runs),

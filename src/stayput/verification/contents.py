@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -15,6 +15,7 @@ from stayput.contents.contents import Contents, emptied, opened
 from stayput.contents.spill import Spill, spill_of
 from stayput.errors import InputError
 from stayput.execution import Pool
+from stayput.fragility.paired import Difference, difference
 from stayput.fragility.probabilities import Probability, probability, probability_of_counts
 from stayput.montecarlo.hazard import PreparedFloor
 from stayput.montecarlo.runs import run_level
@@ -98,6 +99,10 @@ class ContentsVerdict:
         The same with all drawers half out; none without drawers.
     leaving : Leaving, optional
         From where and how fast; none where nothing comes out of a piece that stands.
+    each_out : ndarray, shape (motions, items)
+        Whether each item comes out: 1 or 0; NaN of a run that was given up.
+    change : Difference, optional
+        Share of the items that come out less that without anything, item by item; none of the latter itself.
     """
 
     out: Probability
@@ -107,6 +112,8 @@ class ContentsVerdict:
     emptied: Probability
     opened: Probability | None
     leaving: Leaving | None
+    each_out: NDArray[np.float64] = field(compare=False, repr=False)
+    change: Difference | None = None
 
 
 def contents_verdicts(contest: Contest, options: Sequence[Option]) -> list[ContentsVerdict | None]:
@@ -138,7 +145,15 @@ def contents_verdicts(contest: Contest, options: Sequence[Option]) -> list[Conte
             wide = [probability(fallen, ~fallen)] * len(options)
         else:
             wide = overturns(pulled_out)
-    return [_verdict(*each, contents) for each in zip(spilt, less, wide, strict=True)]
+    bare, *others = (_verdict(*each, contents) for each in zip(spilt, less, wide, strict=True))
+
+    return [bare, *(replace(each, change=less_out(each, bare, len(others))) for each in others)]
+
+
+def less_out(first: ContentsVerdict, second: ContentsVerdict, comparisons: int) -> Difference:
+    """Return how much likelier it is that an item comes out with the first option than with the second."""
+    a, b = first.each_out, second.each_out
+    return difference(a == 1.0, b == 1.0, np.isnan(a + b), comparisons=comparisons)
 
 
 FirstRuns: TypeAlias = "tuple[Callable[[Body], list[Probability]], Callable[[int, int], Carrier]]"
@@ -275,6 +290,7 @@ def _verdict(
     spilt: Sequence[Spill | None], empty: Probability, open_: Probability | None, contents: Contents
 ) -> ContentsVerdict:
     made = [spill for spill in spilt if spill is not None]
+    unknown = np.full(contents.levels * contents.items, np.nan)
     fell = np.array([spill is not None and spill.overturned for spill in spilt])
     return ContentsVerdict(
         out=share_out(spilt, contents),
@@ -284,4 +300,5 @@ def _verdict(
         emptied=empty,
         opened=open_,
         leaving=Leaving.of(made),
+        each_out=np.array([unknown if spill is None else spill.out.ravel() for spill in spilt], np.float64),
     )

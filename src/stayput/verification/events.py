@@ -38,10 +38,10 @@ SPACING = 0.1
 """Distance between the points of a place at which the speed of a piece is looked at [m]."""
 
 ENTERS_BY = 0.05
-"""How far a piece must come into the place of a person to hit who is there [m]: a convention.
+"""How far a piece must come into the place of a person to hit or touch who is there [m]: a convention.
 
 What stands beside a bed and is held slides some centimetres to and fro: it nudges the bed's edge in every
-earthquake, and hits nobody.
+earthquake, and touches nobody.
 """
 
 ROUNDING = 1e-9
@@ -358,7 +358,7 @@ class RunInRoom(NamedTuple):
     Parameters
     ----------
     hits : tuple of (str, str)
-        Pieces and the places of people that they come into.
+        Pieces that fall and the places of people that they come into.
     blocked : tuple of str
         Doors that are blocked at the end.
     shut_in : tuple of str
@@ -380,8 +380,8 @@ def happens_in(run: Run) -> RunInRoom:
         tuple(
             (name, place.name)
             for place, hits in zip(plan.places, seen.hits, strict=True)
-            for name, hit in zip(run.names, hits, strict=True)
-            if not math.isnan(hit[0])
+            for piece, name, hit in zip(run.pieces, run.names, hits, strict=True)
+            if (piece.overturned or piece.fell_off) and not math.isnan(hit[0])
         ),
         tuple(door.name for door, blocked in zip(plan.doors, seen.blocked, strict=True) if blocked),
         tuple(place.name for place, shut in zip(plan.places, seen.shut_in, strict=True) if shut),

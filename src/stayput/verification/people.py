@@ -1,4 +1,8 @@
-"""What happens to the people of a room with an option: who is hit by what and how hard, and who gets out."""
+"""What happens to the people of a room with an option: who is hit by what and how hard, and who gets out.
+
+Events nest: who is crushed is hit, and only a piece that falls hits. One that comes to somebody without
+falling touches them, which is counted apart.
+"""
 
 from __future__ import annotations
 
@@ -25,13 +29,21 @@ DAY_HOURS = 16.0
 HARM_STEPS = 20.0
 """Steps of a decade of energy in the ranking: harm that differs by less, by about a tenth, is alike."""
 
+CRUSHING_ENERGY = 79.0
+"""Energy from which on a falling piece crushes whom it hits [J].
+
+58 ft lbf, from which on explosives safety takes a fragment to be hazardous (US Department of Defense
+Explosives Safety Board, Technical Paper 12). Furniture is larger and slower: this tells blows from nudges,
+and predicts no injury.
+"""
+
 SPEED, ENERGY = 1, 2
 """Columns of `stayput.montecarlo.scenes.Seen.hits`."""
 
 
 @dataclass(frozen=True, slots=True)
 class HitVerdict:
-    """How a piece hits the place of a person.
+    """How a piece hits the place of a person, or touches it where it does not fall.
 
     Parameters
     ----------
@@ -40,13 +52,13 @@ class HitVerdict:
     mass : float
         Its mass [kg].
     probability : Probability
-        That it touches the person who is there.
+        That it does so to the person who is there.
     speed : Quantiles
-        Largest speed of the part that is within the place, of the runs in which it hits [m/s].
+        Largest speed of the part that is within the place, of the runs in which it does [m/s].
     energy : Quantiles
         Its largest kinetic energy while it touches, of the same runs [J].
-    falls : float
-        Share of these runs in which it overturns.
+    by_falling : bool
+        Whether it is in falling, in the same runs, that it comes there: else it touches.
     """
 
     piece: str
@@ -54,12 +66,7 @@ class HitVerdict:
     probability: Probability
     speed: Quantiles
     energy: Quantiles
-    falls: float
-
-    @property
-    def by_falling(self) -> bool:
-        """Whether it mostly falls on the place, and does not slide against it."""
-        return self.falls >= 0.5
+    by_falling: bool
 
     @property
     def harm(self) -> float:
@@ -75,10 +82,11 @@ class PlaceVerdict:
     ----------
     place : PersonPlace
         The place.
-    hit : Probability
-        That somebody who is there is hit by any piece.
+    crushed, hit, touched : Probability
+        That somebody who is there is hit by a falling piece with `CRUSHING_ENERGY` or more; is hit by a
+        falling piece; is touched by one that does not fall.
     by : tuple of HitVerdict
-        The pieces that hit it in some run, that which does most harm first.
+        The pieces that hit it in some run, that which does most harm first, and then those that touch it.
     shut_in : Probability
         That no way leads out from there.
     shut_in_at_rest : bool
@@ -86,7 +94,9 @@ class PlaceVerdict:
     """
 
     place: PersonPlace
+    crushed: Probability
     hit: Probability
+    touched: Probability
     by: tuple[HitVerdict, ...]
     shut_in: Probability
     shut_in_at_rest: bool
@@ -134,8 +144,10 @@ class People:
 
     Parameters
     ----------
-    hit, shut_in, blocked : Outlook
-        That anybody who is there is hit; that anybody is shut in; that any door is blocked.
+    crushed, hit, touched : Outlook
+        That anybody who is there is crushed, is hit, is touched; see `PlaceVerdict`.
+    shut_in, blocked : Outlook
+        That anybody is shut in; that any door is blocked.
     risk : float
         Chance that a person is hit, weighted by how long somebody is at each place.
     harm : float
@@ -146,7 +158,9 @@ class People:
         In the order of the file.
     """
 
+    crushed: Outlook
     hit: Outlook
+    touched: Outlook
     shut_in: Outlook
     blocked: Outlook
     risk: float
@@ -172,10 +186,35 @@ def presence(place: PersonPlace) -> float:
     return (DAY_HOURS * place.day + (24.0 - DAY_HOURS) * place.night) / 24.0
 
 
-def hits_in(runs: Runs) -> NDArray[np.bool_]:
-    """Return which places are hit by which pieces, shape (motions, samples, places, pieces)."""
+def contacts_in(runs: Runs) -> NDArray[np.bool_]:
+    """Return which places which pieces come to, shape (motions, samples, places, pieces)."""
     assert runs.hits is not None
     return ~np.isnan(runs.hits[..., 0])
+
+
+def hits_in(runs: Runs) -> NDArray[np.bool_]:
+    """Return which places are hit by which falling pieces, shape (motions, samples, places, pieces)."""
+    assert runs.results is not None
+    fell: NDArray[np.bool_] = runs.results["outcome"] == OVERTURNED_OUTCOME
+    return contacts_in(runs) & fell[:, :, np.newaxis]
+
+
+def events_at_places(runs: Runs) -> dict[str, NDArray[np.bool_]]:
+    """Return where somebody is crushed, hit and touched by any piece, each (motions, samples, places)."""
+    hit = hits_in(runs)
+    return {
+        "crushed": np.greater_equal(hardest(runs), CRUSHING_ENERGY),
+        "hit": np.any(hit, axis=3),
+        "touched": np.any(contacts_in(runs) & ~hit, axis=3),
+    }
+
+
+def events_of(runs: Runs) -> dict[str, NDArray[np.bool_]]:
+    """Return whether it happens to anybody, and to any door: each of shape (motions, samples)."""
+    assert runs.shut_in is not None
+    assert runs.blocked is not None
+    ways = {"shut_in": runs.shut_in, "blocked": runs.blocked}
+    return {name: np.any(flags, axis=2) for name, flags in (events_at_places(runs) | ways).items()}
 
 
 def risk_of(hit: NDArray[np.bool_], places: Sequence[PersonPlace], missing: NDArray[np.bool_]) -> float:
@@ -213,7 +252,7 @@ def harm_of(energy: NDArray[np.float64], places: Sequence[PersonPlace], missing:
 def hardest(runs: Runs, pieces: Sequence[int] | None = None) -> NDArray[np.float64]:
     """Return the energy of what hits each place hardest, of some or all pieces; 0 where nothing does [J]."""
     assert runs.hits is not None
-    energy = np.nan_to_num(runs.hits[..., ENERGY])
+    energy = np.where(hits_in(runs), runs.hits[..., ENERGY], 0.0)
     chosen = energy if pieces is None else energy[..., list(pieces)]
     return chosen.max(axis=-1, initial=0.0)
 
@@ -240,23 +279,21 @@ def people_of(
     """
     if runs.hits is None or runs.blocked is None or runs.shut_in is None:
         return None
-    hit, missing = hits_in(runs), runs.missing
-    then = hit.any(axis=(2, 3)), runs.shut_in.any(axis=2), runs.blocked.any(axis=2)
-    hits, shut_in, blocked = (Outlook(probability(flags, missing), None) for flags in then)
-    if bare is not None and bare.blocked is not None and bare.shut_in is not None:
-        now = hits_in(bare).any(axis=(2, 3)), bare.shut_in.any(axis=2), bare.blocked.any(axis=2)
-        both = missing | bare.missing
-        hits, shut_in, blocked = (
-            Outlook(outlook.chance, difference(with_it, without, both))
-            for outlook, with_it, without in zip((hits, shut_in, blocked), then, now, strict=True)
-        )
+    at_places, then, missing = events_at_places(runs), events_of(runs), runs.missing
+    outlooks = {name: Outlook(probability(flags, missing), None) for name, flags in then.items()}
+    if bare is not None and bare.hits is not None:
+        now, both = events_of(bare), missing | bare.missing
+        outlooks = {
+            name: Outlook(outlook.chance, difference(then[name], now[name], both))
+            for name, outlook in outlooks.items()
+        }
     places = tuple(
         PlaceVerdict(
-            place,
-            probability(hit[:, :, n].any(axis=2), missing),
-            _by(runs, n, pieces),
-            probability(runs.shut_in[:, :, n], missing),
-            bool(at_rest[1][n]),
+            place=place,
+            **{name: probability(flags[:, :, n], missing) for name, flags in at_places.items()},
+            by=_by(runs, n, pieces),
+            shut_in=probability(runs.shut_in[:, :, n], missing),
+            shut_in_at_rest=bool(at_rest[1][n]),
         )
         for n, place in enumerate(plan.places)
     )
@@ -264,26 +301,28 @@ def people_of(
         DoorVerdict(door, probability(runs.blocked[:, :, n], missing), bool(at_rest[0][n]))
         for n, door in enumerate(plan.doors)
     )
-    risk = risk_of(np.any(hit, axis=3), plan.places, missing)
-    return People(hits, shut_in, blocked, risk, harm_of(hardest(runs), plan.places, missing), places, doors)
+    risk = risk_of(at_places["hit"], plan.places, missing)
+    harm = harm_of(hardest(runs), plan.places, missing)
+    return People(**outlooks, risk=risk, harm=harm, places=places, doors=doors)
 
 
 def _by(runs: Runs, place: int, pieces: Sequence[tuple[str, float]]) -> tuple[HitVerdict, ...]:
     assert runs.hits is not None
-    assert runs.results is not None
-    verdicts: list[HitVerdict] = []
+    hits, contacts, verdicts = hits_in(runs), contacts_in(runs), list[HitVerdict]()
     for body, (name, mass) in enumerate(pieces):
-        contacts = runs.hits[:, :, place, body]
-        hit = ~np.isnan(contacts[..., 0])
-        if not hit.any():
-            continue
-        fell = runs.results[..., body]["outcome"][hit] == OVERTURNED_OUTCOME
-        of_hits = (
-            Quantiles.of(contacts[..., n][hit], np.zeros(len(fell), np.bool_)) for n in (SPEED, ENERGY)
-        )
-        chance = probability(hit, runs.missing)
-        verdicts.append(HitVerdict(name, mass, chance, *of_hits, falls=float(fell.mean())))
-    return tuple(sorted(verdicts, key=lambda hit: -hit.harm))
+        for by_falling, all_of_them in ((True, hits), (False, contacts & ~hits)):
+            chosen = all_of_them[:, :, place, body]
+            if not chosen.any():
+                continue
+            speed, energy = (
+                Quantiles.of(
+                    runs.hits[:, :, place, body, n][chosen], np.zeros(np.count_nonzero(chosen), np.bool_)
+                )
+                for n in (SPEED, ENERGY)
+            )
+            chance = probability(chosen, runs.missing)
+            verdicts.append(HitVerdict(name, mass, chance, speed, energy, by_falling))
+    return tuple(sorted(verdicts, key=lambda hit: (not hit.by_falling, -hit.harm)))
 
 
 def typical_of(*each: Runs) -> Member:

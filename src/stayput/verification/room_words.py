@@ -114,18 +114,18 @@ def _clauses(verdict: Verdict) -> Iterator[Phrase]:
         return phrase(key, often=often(chance, next(cases)), interval=ends_of(chance), **values)
 
     people = people_in(verdict)
-    worst = sorted(people.places, key=lambda place: -place.hit.estimate)
-    hit = [place for place in worst if place.hit.estimate >= TOLD] or [place for place in worst if place.by]
+    worst = sorted(people.places, key=lambda place: (-place.hit.estimate, -place.touched.estimate))
+    reached = [(place, place.by[0]) for place in worst if place.by]
+    reached = [each for each in reached if each[1].probability.estimate >= TOLD] or reached
     if not people.places:
         yield phrase("rooms.no_places")
-    elif not hit:
+    elif not any(first.by_falling for _, first in reached):
         yield phrase("rooms.nobody_hit", often=often(people.hit.chance, next(cases)))
-    for place in hit:
-        first = place.by[0]
+    for place, first in reached:
         values = {"piece": piece_within(first.piece), "place": _where_somebody_is(place.place)}
-        key = "rooms.falls_on" if first.by_falling else "rooms.slides_against"
+        key = "rooms.falls_on" if first.by_falling else "rooms.touches"
         yield happens(key, first.probability, **values)
-    named = {place.by[0].piece for place in hit}
+    named = {first.piece for _, first in reached if first.by_falling}
     falling = [piece for piece in verdict.without.pieces if piece.falls and piece.name not in named]
     falling.sort(key=lambda piece: -piece.probabilities["overturned"].estimate)
     if falling:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stayput.errors import InputError, shown
-from stayput.montecarlo.counting import OVERTURNED, Member, Quantiles
+from stayput.montecarlo.counting import OVERTURNED, SLID, Member, Quantiles
 from stayput.saved import InJson
 from stayput.simulation.space_fate import MAY_FALL_FROM, Stability
 from stayput.wording import check_language
@@ -141,11 +141,13 @@ class OptionVerdict:
     option : Option
         What is in place.
     rank : int
-        1 for the best.
+        1 for the best; options whose differences are unclear share a rank, as in 1, 1, 3.
     probabilities : mapping of str to Probability
         Of each of `EVENTS` for any of the pieces that count (`Scenario.counted`), at the scenario's shaking.
     change : Difference, optional
         Probability that any overturns less that without anything; none for the latter itself.
+    slid : Difference, optional
+        The same of a slide that is too far, as which one that overturns counts.
     slide, tilt : Quantiles
         Peak slide [m] and tilt [rad] of that which moves farthest.
     typical, worst : Member
@@ -181,10 +183,15 @@ class OptionVerdict:
     installed: AsInstalled | None = None
     contents: ContentsVerdict | None = None
     people: People | None = None
+    slid: Difference | None = None
 
     @property
     def better(self) -> tuple[str, ...]:
-        """What happens clearly less often: some of "hit", "shut_in", "blocked" and "overturned"."""
+        """What happens clearly less often.
+
+        In a room with people some of "hit", "shut_in", "blocked" and "overturned"; else of "overturned",
+        "contents_out" and "slid".
+        """
         return self._clear(-1.0)
 
     @property
@@ -194,17 +201,33 @@ class OptionVerdict:
 
     @property
     def helps(self) -> bool:
-        """Whether something is clearly for the better, nothing clearly for the worse, and no more are hit."""
+        """Whether something is clearly for the better, nothing clearly for the worse, and no more are hit.
+
+        Without people overturning decides; only where it does not clearly change, what comes out and slides.
+        """
+        return self.standing < 0
+
+    @property
+    def standing(self) -> int:
+        """Whether it stands before what is without it, −1, or behind, 1; 0 where no clear change decides."""
+        if self.people is None and OVERTURNED in self.better:
+            return -1
+        if self.worse:
+            return 1
         hit = None if self.people is None else self.people.hit.change
-        return bool(self.better) and not self.worse and (hit is None or hit.estimate <= 0.0)
+        return -int(bool(self.better) and (hit is None or hit.estimate <= 0.0))
 
     @property
     def differences(self) -> Iterator[tuple[str, Difference]]:
-        """What differs from what is without it: of people, and of each piece that it overturns."""
-        if self.people is not None:
-            for name in ("hit", "shut_in", "blocked"):
-                if (change := getattr(self.people, name).change) is not None:
-                    yield name, change
+        """What differs from what is without it: of people and of each piece, else of what counts."""
+        if self.people is None:
+            contents = None if self.contents is None else self.contents.change
+            each = {OVERTURNED: self.change, "contents_out": contents, SLID: self.slid}
+            yield from ((name, change) for name, change in each.items() if change is not None)
+            return
+        for name in ("hit", "shut_in", "blocked"):
+            if (change := getattr(self.people, name).change) is not None:
+                yield name, change
         for piece in self.pieces:
             if piece.change is not None:
                 yield OVERTURNED, piece.change
@@ -232,7 +255,8 @@ class Verdict(InJson):
     slide_limit : float
         Slide that counts as too far [m].
     options : tuple of OptionVerdict
-        The best first; exactly one of them has nothing in place, or is the scene as stated.
+        The best first; exactly one of them has nothing in place, or is the scene as stated: it stands before
+        those that do not clearly differ from it.
     motions, samples : int
         Motions, and Monte Carlo samples of each.
     runs : int
@@ -337,7 +361,7 @@ class Verdict(InJson):
 
     @property
     def best(self) -> OptionVerdict:
-        """The option that ranks first."""
+        """The option that stands first: that with nothing in place where none clearly helps."""
         return self.options[0]
 
     @property

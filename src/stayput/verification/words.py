@@ -240,6 +240,8 @@ OFTEN = 0.05
 def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
     shares = {event: chance.estimate for event, chance in option.probabilities.items()}
     parts = [_overturns(option, verdict), *_of_pieces(option, verdict)]
+    none = phrase(f"{_where(verdict)}.none")
+    parts += [phrase(f"verification.more_{name}", none=none) for name in option.worse if name != OVERTURNED]
     if option.contents is not None:
         parts.append(contents_out(option, verdict))
         if (leaving := option.contents.leaving) is not None:

@@ -14,7 +14,7 @@ export function show(verdict, take) {
     verdict.options.map((one) =>
       el(
         "li",
-        { class: one.yours ? "option yours" : "option" },
+        { class: one.yours ? "option yours" : "option", "data-rank": one.rank },
         el(
           "div",
           { class: "optionhead" },

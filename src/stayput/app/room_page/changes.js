@@ -60,7 +60,7 @@ function option(one, shown) {
   ];
   return el(
     "li",
-    { class: "option" },
+    { class: "option", "data-rank": one.rank },
     el("div", { class: "optionhead" }, el("strong", { text: capital(label) }), tag(one)),
     el("span", { class: "barname", text: what }),
     el("div", { class: "optionbar" }, bar(share), el("span", { class: "share", text: chance(share) })),

@@ -8,7 +8,7 @@ import { kindName } from "./kinds.js";
 
 /** Writes all of them. */
 export function show(result) {
-  fill(part("who"), result.places.length ? result.places.map(place) : el("p", { text: t("noPlaces") }));
+  fill(part("who"), result.places.length ? result.places.map((one) => place(one, result)) : el("p", { text: t("noPlaces") }));
   fill(part("ways"), ways(result));
   fill(part("pieces"), pieces(result));
 }
@@ -26,12 +26,15 @@ const row = (name, one, ...more) =>
 const list = (rows) => el("ul", { class: "findings" }, ...rows);
 const hint = (text) => el("p", { class: "hint", text });
 
-function place(one) {
+function place(one, { crushed_from_J: energy }) {
+  const harder = hint(
+    t("crushedOrTouched", { energy: number(energy), crushed: share(one.crushed), touched: share(one.touched) }),
+  );
   const when = hint(t("dayAndNight", { day: timed(one.hit, one.hit_by_day), night: timed(one.hit, one.hit_at_night) }));
   return el(
     "div",
     {},
-    list([row(kindName("places", one.name), one.hit, when)]),
+    list([row(kindName("places", one.name), one.hit, harder, when)]),
     one.by.length ? list(one.by.map(hitBy)) : hint(t("hitByNothing")),
   );
 }
@@ -44,7 +47,7 @@ function timed({ estimate, low, high }, hit) {
 
 const hitBy = ({ piece, probability, by_falling: falling, mass_kg: mass, speed_m_s: speed, energy_J: energy }) =>
   row(
-    t(falling ? "fallsOn" : "slidesAgainst", { piece: kindName("furniture", piece) }),
+    t(falling ? "fallsOn" : "touches", { piece: kindName("furniture", piece) }),
     probability,
     hint(
       t("impact", {
@@ -95,7 +98,7 @@ function inTheWay({ changes, shut_in: now }, name) {
 
 /** The pieces that overturn often without hitting anybody, with how often. */
 export function fallingAlone({ pieces, places }) {
-  const hitting = new Set(places.flatMap((one) => one.by.map(({ piece }) => piece)));
+  const hitting = new Set(places.flatMap((one) => one.by.filter((hit) => hit.by_falling).map(({ piece }) => piece)));
   return pieces
     .filter(({ name, falls }) => falls && !hitting.has(name))
     .map(({ name, probabilities: { overturned } }) =>

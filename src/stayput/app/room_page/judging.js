@@ -23,11 +23,11 @@ export function ofRoom(reply) {
 const falls = (piece) => piece.probabilities.overturned.estimate;
 
 /** An option that makes one change of the room, with what it brings; it names no one thing where it makes more. */
-function changeOf({ label, reason, people, pieces, changes, helps, better, worse, tags }) {
+function changeOf({ rank, label, reason, people, pieces, changes, helps, better, worse, tags }) {
   const [change] = changes,
     piece = changes.length === 1 ? pieces.find(({ name }) => name === change.what) : null,
     { overturned } = piece?.probabilities ?? { overturned: null };
-  const told = { label, sentence: reason, helps, better, worse, tags };
+  const told = { rank, label, sentence: reason, helps, better, worse, tags };
   return { ...people, ...change, ...told, overturned, overturned_change: piece?.overturned_change ?? null };
 }
 

@@ -86,7 +86,7 @@ def plan_html(plan: ActionPlan, language: str = "en") -> str:
 def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
     """Yield how it is, how it would be, and what was asked for."""
     verdict, together, falling = plan.verdict, plan.together, step_words.falls(plan)
-    if together is None and falling is None and not plan.unsolved:
+    if together is None and falling is None and not plan.unsolved and not plan.not_enough:
         yield phrase("action_plan.nothing")
     chances = {} if together is None else step_words.worth_telling(together, plan)
     if chances:
@@ -208,25 +208,31 @@ def _other(step: PlanStep, plan: ActionPlan, language: str) -> tuple[str, dict[s
 
 
 def _dead_end(plan: ActionPlan, language: str) -> dict[str, Any] | None:
-    """Return what else can be done where the steps are too weak, and for which pieces; None where they are.
+    """Return what else can be done where nothing is enough, and for which pieces; None where all is.
 
-    Among it is what could be done with drilling on a piece that has no step.
+    Beside it is what comes nearest on a piece, and what would be enough if drilling were allowed.
     """
     names = [step.what for step in plan.steps if step.fix is not None and step.fix.too_weak]
-    names += plan.unsolved
+    names += [*plan.not_enough, *plan.unsolved]
     if not names:
         return None
     text = partial(_own, language)
     before = {piece.name: piece.probabilities[OVERTURNED] for piece in plan.verdict.without.pieces}
-    drilled = {name: fix for name, fix in plan.drilled.items() if name in plan.unsolved}
-    blocks = (
-        (text("drilled_on", piece=piece_name(name)), fix, _lines_of_other(fix, before[name], plan))
-        for name, fix in drilled.items()
-    )
+    blocks = [(step_words.measures_on(name, fix), name, fix) for name, fix in plan.not_enough.items()]
+    blocks += [
+        (phrase("action_plan.drilled_on", piece=piece_name(name)), name, fix)
+        for name, fix in plan.drilled.items()
+        if name in (*plan.not_enough, *plan.unsolved)
+    ]
+    unclear = any(not fix.too_weak for fix in plan.not_enough.values())
+    keys = ["more_runs"] * unclear + ["ask_landlord"] * plan.home.no_drilling + ["out_of_reach"]
     return {
         "heading": text("not_enough", pieces=joined(map(piece_name, dict.fromkeys(names)))),
-        "sentences": [*([text("ask_landlord")] if plan.home.no_drilling else []), text("out_of_reach")],
-        "drilled": [(title, _block(fix, lines, plan, language)) for title, fix, lines in blocks],
+        "sentences": [*map(text, keys)],
+        "ways": [
+            (say(title, language), _block(fix, _lines_of_other(fix, before[name], plan), plan, language))
+            for title, name, fix in blocks
+        ],
     }
 
 
@@ -268,10 +274,13 @@ def _lines(number: int, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
 def _lines_of_other(fix: Fix, was: Probability, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
     """Yield the same of another way, for a piece that overturns so often as the room is."""
     sentences = [_overturns(was, fix.overturns)]
-    if not step_words.changes_nothing(fix.alone, plan):
+    if not fix.alone.helps:
+        sentences.append(phrase("action_plan.no_gain"))
+    elif not step_words.changes_nothing(fix.alone, plan):
         sentences.append(step_words.effects(fix.alone, plan))
-    yield "reaches" if fix.too_weak else "effect", joined(sentences, "action_plan.next")
-    yield "buy", joined(step_words.to_buy(purchase, fix) for purchase in fix.purchases)
+    yield "effect" if fix.sound else "reaches", joined(sentences, "action_plan.next")
+    if fix.sound:
+        yield "buy", joined(step_words.to_buy(purchase, fix) for purchase in fix.purchases)
     if fix.cautions:
         yield "caution", joined(fix.cautions, "action_plan.next")
 

@@ -19,7 +19,7 @@ from stayput.report.verdict.html import shared_content
 from stayput.simulation.space_fate import FALLS_FROM, MAY_FALL_FROM
 from stayput.verification import room_words
 from stayput.verification.events import PASSAGE
-from stayput.verification.people import DAY_HOURS, HitVerdict, People, presence
+from stayput.verification.people import CRUSHING_ENERGY, DAY_HOURS, HitVerdict, People, presence
 from stayput.wording import with_aside
 
 if TYPE_CHECKING:
@@ -130,7 +130,7 @@ def sections(verdict: Verdict, options: Sequence[OptionVerdict], language: str) 
     for p in people.places:
         name = tell(room_words.place_name(p.place))
         times = here(p.by_day, p.place.day), here(p.by_night, p.place.night)
-        places.append((name, TableCell(p.hit), *times))
+        places.append((name, *map(TableCell, (p.hit, p.crushed, p.touched)), *times))
         shut_in.append((name, known(p.shut_in, p.shut_in_at_rest)))
         for hit in p.by:
             piece = TableCell(tell(room_words.piece_name(hit.piece)), tell(hit_by(hit)))
@@ -148,16 +148,16 @@ def sections(verdict: Verdict, options: Sequence[OptionVerdict], language: str) 
         slide = both(*numbers.slides(each.slide, room, language))
         harm = numbers.energy(each.harm) if people.places else numbers.NO_NUMBER
         pieces.append((tell(room_words.piece_name(each.name)), *shares, slide, harm))
-    hours = {"day": DAY_HOURS, "night": 24.0 - DAY_HOURS}
+    values = {"day": DAY_HOURS, "night": 24.0 - DAY_HOURS, "energy": CRUSHING_ENERGY}
     covers = own("covers") if verdict.motions > 1 else ""
     of_hits = "place", "piece", "how_often", "hit_speed", "hit_energy", "mass"
     of_doors = "door", "wall", "opens", "leads_out", "blocked"
     of_pieces = "piece", "overturned", "slid", "slide", "piece_harm"
     of_changes = "change", "changed_hit", "changed_shut_in", "changed_overturned", "risk"
     changes = (_change(option, verdict, language) for option in options)
-    of_places = "place", "hit", "by_day", "by_night"
+    of_places = "place", "hit", "crushed", "touched", "by_day", "by_night"
     return [
-        section("places", of_places, places, "no_places", covers=covers, **hours),
+        section("places", of_places, places, "no_places", covers=covers, **values),
         *[section("what_hits", of_hits, hits, "no_hit")] * bool(places),
         section("ways", of_doors, doors, "no_doors", passage=PASSAGE),
         *[section("shut_in", ("place", "shut_in"), shut_in * ways_out, "no_way_out")]
@@ -168,8 +168,8 @@ def sections(verdict: Verdict, options: Sequence[OptionVerdict], language: str) 
 
 
 def hit_by(hit: HitVerdict) -> str:
-    """Return the id of how a piece hits somebody: it falls on them, or slides against them."""
-    return "rooms.by_falling" if hit.by_falling else "rooms.by_sliding"
+    """Return the id of how a piece comes to somebody: it falls on them, or touches them."""
+    return "rooms.by_falling" if hit.by_falling else "rooms.by_touching"
 
 
 def _change(option: OptionVerdict, verdict: Verdict, language: str) -> Row:

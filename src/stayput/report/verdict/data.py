@@ -22,6 +22,7 @@ from stayput.rooms.purchases import MARGIN, QUANTILE
 from stayput.rooms.step_words import forces_asked, heading, where
 from stayput.verification.notes import Estimates, everyday_cases, notes
 from stayput.verification.options import inputs
+from stayput.verification.people import CRUSHING_ENERGY
 from stayput.verification.room_words import people_in, piece_changed, pieces_in
 
 if TYPE_CHECKING:
@@ -102,9 +103,11 @@ def _ends(value: Probability | Difference | None) -> Iterable[float | None]:
 def _rows(verdict: Verdict) -> Iterator[tuple[str, str, str, Probability, Difference | None]]:
     people = people_in(verdict)
     for place in people.places:
-        yield "hit", place.place.name, "", place.hit, None
+        for event in ("hit", "crushed", "touched"):
+            yield event, place.place.name, "", getattr(place, event), None
         for hit in place.by:
-            yield "hit", place.place.name, hit.piece, hit.probability, None
+            event = "hit" if hit.by_falling else "touched"
+            yield event, place.place.name, hit.piece, hit.probability, None
         yield "shut_in", place.place.name, "", place.shut_in, None
     for door in people.doors:
         yield "blocked", door.door.name, "", door.blocked, None
@@ -131,6 +134,7 @@ def plan_data(plan: ActionPlan) -> dict[str, Any]:
         "steps": [_step(step, plan) for step in plan.steps],
         "together": None if together is None else _effect(together),
         "unsolved": list(plan.unsolved),
+        "not_enough": {name: _fix(fix) for name, fix in plan.not_enough.items()},
         "with_drilling": {name: _fix(fix) for name, fix in plan.drilled.items()},
         "not_taken": {
             name: [{"types": list(kinds), "why": by_language(why)} for kinds, why in reasons.items()]
@@ -380,8 +384,10 @@ def _piece(piece: PieceVerdict, counts: bool) -> dict[str, Any]:
 
 def people_data(people: People) -> dict[str, Any]:
     """Return what happens to the people of a room as plain values."""
-    outlooks = {name: getattr(people, name) for name in ("hit", "shut_in", "blocked")}
+    names = "crushed", "hit", "touched", "shut_in", "blocked"
+    outlooks = {name: getattr(people, name) for name in names}
     return {
+        "crushed_from_J": CRUSHING_ENERGY,
         **{name: interval_data(outlook.chance) for name, outlook in outlooks.items()},
         **{
             f"{name}_change": None if outlook.change is None else interval_data(outlook.change)
@@ -392,7 +398,7 @@ def people_data(people: People) -> dict[str, Any]:
         "places": [
             {
                 "name": place.place.name,
-                "hit": interval_data(place.hit),
+                **{name: interval_data(getattr(place, name)) for name in names[:3]},
                 "hit_by_day": number(place.by_day.estimate),
                 "hit_at_night": number(place.by_night.estimate),
                 "shut_in": interval_data(place.shut_in),

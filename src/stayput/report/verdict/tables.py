@@ -25,6 +25,7 @@ from stayput.wording import with_aside
 
 if TYPE_CHECKING:
     from stayput.fragility.curve import Capacity
+    from stayput.fragility.paired import Difference
     from stayput.fragility.probabilities import Probability
     from stayput.verification import Verdict
     from stayput.verification.contents import ContentsVerdict
@@ -355,6 +356,7 @@ def contents_data(contents: ContentsVerdict) -> dict[str, float | None]:
     leaving = contents.leaving
     return {
         **_ends("contents_out_share", contents.out),
+        **_ends("contents_out_change", contents.change),
         "contents_runs": contents.rigid.runs,
         "contents_toppled_share": number(contents.toppled),
         "contents_out_mass_kg": number(contents.mass_out),
@@ -368,7 +370,7 @@ def contents_data(contents: ContentsVerdict) -> dict[str, float | None]:
     }
 
 
-def _ends(key: str, value: Probability | Capacity | None) -> dict[str, float | None]:
+def _ends(key: str, value: Probability | Difference | Capacity | None) -> dict[str, float | None]:
     """Return an estimate and its interval as plain values; nothing of one that does not apply."""
     ends = (None,) * 3 if value is None else map(number, (value.estimate, value.low, value.high))
     return dict(zip((key, f"{key}_low", f"{key}_high"), ends, strict=True))

@@ -1,0 +1,62 @@
+"""Who is crushed, hit and touched: by hand-made runs of a room."""
+
+import numpy as np
+import pytest
+
+from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESTED, RESULT
+from stayput.mechanics.devices.columns import DEVICE
+from stayput.model.floor_plan import FloorPlan, PersonPlace
+from stayput.montecarlo.runs import Runs
+from stayput.verification.people import CRUSHING_ENERGY, people_of
+
+PIECES = [("bookcase", 90.0), ("fridge", 70.0), ("lamp", 3.0), ("chest", 40.0)]
+
+
+@pytest.fixture
+def runs():
+    """Ten runs: a bookcase falls on the bed in 4, a lamp in 2, a fridge nudges it in all."""
+    fell = np.zeros((10, 1, 4), np.bool_)
+    fell[:4, 0, 0] = fell[4:6, 0, 2] = fell[:9, 0, 3] = True
+    energy = np.full((10, 1, 1, 4), np.nan)
+    energy[:4, 0, 0, 0], energy[:, 0, 0, 1], energy[4:6, 0, 0, 2] = 1400.0, 25.0, 0.9 * CRUSHING_ENERGY
+    results = np.zeros((10, 1, 4), RESULT)
+    results["outcome"] = np.where(fell, OVERTURNED_OUTCOME, RESTED)
+    no, zero = np.zeros((10, 1), np.bool_), np.zeros((10, 1))
+    return Runs(
+        overturned=fell.any(axis=2),
+        missing=no,
+        hit_wall=no,
+        device_failed=no,
+        slide=zero,
+        tilt=zero,
+        devices=np.zeros((10, 1, 0), DEVICE),
+        used=np.zeros((10, 1, 0)),
+        masses=1.0 + zero,
+        results=results,
+        hits=np.stack([energy * 0.0, energy * 0.0 + 0.6, energy], axis=-1),
+        blocked=np.zeros((10, 1, 0), np.bool_),
+        shut_in=np.zeros((10, 1, 1), np.bool_),
+    )
+
+
+def test_crushed_is_within_hit_within_falls_and_a_nudge_only_touches(runs: Runs) -> None:
+    plan = FloorPlan(
+        3.0, 3.0, places=[PersonPlace("bed", (1.5, 1.5), width=1.0, length=2.0, low=0.3, high=0.8)]
+    )
+    people = people_of(runs, None, plan, PIECES, ([], [False]))
+    assert people is not None
+    (place,) = people.places
+    shares = [chance.estimate for chance in (place.crushed, place.hit, place.touched)]
+    assert shares == [0.4, pytest.approx(0.6), 1.0]
+    assert [people.crushed.chance, people.hit.chance] == [place.crushed, place.hit]
+    by = [(hit.piece, hit.by_falling, hit.probability.estimate, hit.energy.median) for hit in place.by]
+    assert by == [
+        ("bookcase", True, 0.4, 1400.0),
+        ("lamp", True, 0.2, pytest.approx(0.9 * CRUSHING_ENERGY)),
+        ("fridge", False, 1.0, 25.0),
+    ]
+    falls = {
+        name: outcomes.overturned.mean() for (name, _), outcomes in zip(PIECES, runs.of_bodies(), strict=True)
+    }
+    assert all(hit.probability.estimate <= falls[hit.piece] for hit in place.by if hit.by_falling)
+    assert people.harm < 0.6 * 1400.0  # the nudge does none

@@ -1,0 +1,108 @@
+"""Ranks: what clearly differs decides, ties share a rank, and what does not help is not first."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+from verdict_cases import made, option, shares
+
+from stayput.fragility.paired import difference
+from stayput.fragility.probabilities import probability
+from stayput.measures import Belt, LBracket, TensionPole
+from stayput.verification.contents import ContentsVerdict
+from stayput.verification.ranking import in_order, ranks_of
+from stayput.verification.words import headline, reason
+
+if TYPE_CHECKING:
+    from stayput.verification.verdict import OptionVerdict
+
+MEASURES = {"belt": (Belt(),), "l_bracket": (LBracket(),), "tension_pole": (TensionPole(),)}
+
+
+def happened(count: int) -> Any:
+    """Return that it happened in the first runs of 20 motions."""
+    return np.arange(20)[:, np.newaxis] < count
+
+
+def ranked(**counts: tuple[int, int, int]) -> dict[str, int]:
+    """Return the ranks of options by how often of 20 they fall, slide and let an item out; in their order."""
+    runs = [
+        SimpleNamespace(
+            overturned=happened(fell),
+            missing=happened(0),
+            hits=None,
+            moved=partial(lambda far, _: happened(far), max(fell, slid)),
+        )
+        for fell, slid, _ in counts.values()
+    ]
+    falls = [happened(fell) for fell, _, _ in counts.values()]
+    bare = next(iter(counts.values()))
+    verdicts: list[OptionVerdict] = []
+    for (name, (fell, slid, out)), fallen in zip(counts.items(), falls, strict=True):
+        measures, few = MEASURES.get(name, ()), probability(happened(out))
+        items = happened(out).astype(float)
+        change = difference(happened(out), happened(bare[2])) if measures else None
+        moves = [happened(max(pair)) for pair in ((fell, slid), bare[:2])]
+        result = option(name, measures, 0, 0.0, bare=shares(0.6), middle=None)
+        verdicts.append(
+            replace(
+                result,
+                probabilities=result.probabilities | {"overturned": probability(fallen)},
+                change=difference(fallen, falls[0]) if measures else None,
+                slid=difference(*moves) if measures else None,
+                contents=ContentsVerdict(few, 0.0, 0.0, few, few, None, None, items, change),
+            )
+        )
+    order = in_order(verdicts)
+    ranks = ranks_of([verdicts[i] for i in order], [runs[i] for i in order], 0.1)  # pyright: ignore
+    return {verdicts[i].option.name: rank for i, rank in zip(order, ranks, strict=True)}
+
+
+@pytest.mark.parametrize(
+    ("counts", "ranks"),
+    [
+        # what helps, alike: a shared rank; doing nothing comes after both
+        (
+            {"none": (16, 0, 0), "belt": (0, 0, 0), "l_bracket": (1, 0, 0)},
+            {"belt": 1, "l_bracket": 1, "none": 3},
+        ),
+        # one of them clearly better
+        (
+            {"none": (20, 0, 0), "l_bracket": (10, 0, 0), "belt": (0, 0, 0)},
+            {"belt": 1, "l_bracket": 2, "none": 3},
+        ),
+        # nothing differs in overturning, but clearly more comes out, or slides, with one
+        (
+            {"none": (0, 2, 1), "tension_pole": (0, 0, 9), "belt": (0, 0, 0)},
+            {"none": 1, "belt": 1, "tension_pole": 3},
+        ),
+        ({"none": (0, 1, 0), "belt": (0, 9, 0)}, {"none": 1, "belt": 2}),
+        # clearly less slides, though all overturn alike
+        ({"none": (1, 15, 0), "belt": (0, 1, 0)}, {"belt": 1, "none": 2}),
+        # what falls has moved: that a held piece slides is not for the worse
+        ({"none": (18, 0, 0), "belt": (0, 12, 0)}, {"belt": 1, "none": 2}),
+    ],
+)
+def test_ties_share_a_rank_and_what_clearly_differs_decides(
+    counts: dict[str, tuple[int, int, int]], ranks: dict[str, int]
+) -> None:
+    assert list(ranked(**counts).items()) == list(ranks.items())
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_what_does_not_help_is_not_sold_and_what_is_worse_says_so(language: str) -> None:
+    verdict = made()
+    belt, none, _ = verdict.options
+    bare, more = probability(happened(0)), difference(happened(12), happened(0))
+    none = replace(none, rank=1, probabilities=none.probabilities | {"overturned": bare})
+    worse = replace(belt, change=difference(happened(0), happened(0)), slid=more, rank=2)
+    alike = replace(verdict, options=(none, worse))
+    assert (alike.best, alike.helping) == (none, None)
+    assert worse.option.label()[0].lower() not in headline(alike, language).lower()
+    told = {"en": "slides too far more often than without a measure", "ja": "移動する割合は対策なしより"}
+    assert told[language] in reason(worse, alike, language)
