@@ -58,3 +58,13 @@ def test_peaks_and_outcomes(count: int) -> None:
     for errors in (tilts, slides):
         assert np.median(errors) < 0.002
         assert np.quantile(errors, 0.75) < 0.01
+
+
+@pytest.mark.parametrize(("amplitude", "outcome"), [(2.5, "rested"), (3.0, "rocked")])
+def test_a_tilt_too_small_to_be_rocking_is_none_in_both(amplitude: float, outcome: str) -> None:
+    """From 2.45 m/s², g b/h, its edge leaves the floor: at 2.5 m/s² by 5e-6 rad."""
+    body, room = sp.Body(0.4, 1.6, 100.0, length=0.8), sp.Room(sp.Floor(1.0, 0.9))
+    motion = sp.sine(amplitude, frequency=4.0, duration=0.5)
+    runs = [sp.simulate(body, room, motion, dimensions=count) for count in (2, 3)]
+    assert [str(run.outcome) for run in runs] == [outcome] * 2
+    assert all(run.peak_tilt > 0.0 for run in runs)

@@ -15,6 +15,7 @@ from stayput.app.motions import class_of, intensity_of
 from stayput.catalogue import Phrase, phrase
 from stayput.catalogue.names import ANY_PIECE
 from stayput.errors import InputError
+from stayput.mechanics.columns import ROCKING_TILT
 from stayput.model.room import WALLS_AROUND
 from stayput.montecarlo.counting import Member
 from stayput.montecarlo.hazard import Ground
@@ -24,7 +25,7 @@ from stayput.report.film.shape import rounded
 from stayput.report.summary import device_results, piece_results, place_called, sentences_of_piece
 from stayput.scenario.measures import YOURS
 from stayput.simulation.outcome import EventKind
-from stayput.simulation.space_fate import ROCKED, SLID
+from stayput.simulation.space_fate import SLID
 from stayput.verification.contest import drawn_run
 from stayput.verification.events import happens_in
 from stayput.verification.words import class_phrase
@@ -340,7 +341,7 @@ def _events(run: Run) -> list[EventReply]:
         for number, piece in enumerate(run.pieces):
             first = {
                 EventKind.SLIP: _first(run.time, piece.slide > SLID),
-                EventKind.UPLIFT: _first(run.time, piece.tilt > ROCKED),
+                EventKind.UPLIFT: _first(run.time, piece.tilt > ROCKING_TILT),
                 EventKind.OVERTURNED: piece.overturn_time,
             }
             events += [(time, kind, number) for kind, time in first.items() if not math.isnan(time)]

@@ -142,6 +142,9 @@ RESTED, SLID, ROCKED, LEANING, OVERTURNED_OUTCOME, FAILED_OUTCOME = range(6)
 HIT_SPEED = 0.01
 """Closing speed from which on a contact that closes counts as a hit [m/s]."""
 
+ROCKING_TILT = 1e-4
+"""Tilt from which on a body has rocked [rad]: about how deep contacts in space may be, over a narrow base."""
+
 # bits of state.moved
 MOVED_SLIDING, MOVED_ROCKING, MOVED_FLYING = 1, 2, 4
 

@@ -246,9 +246,9 @@ def _outcome_of(s):
         return col.OVERTURNED_OUTCOME
     if public_mode(s) == col.LEAN_MODE:
         return col.LEANING
-    if s.moved & ~col.MOVED_SLIDING:
+    if s.moved & col.MOVED_FLYING or (s.moved & col.MOVED_ROCKING and s.peak_tilt > col.ROCKING_TILT):
         return col.ROCKED
-    return col.SLID if s.moved else col.RESTED
+    return col.SLID if s.moved & col.MOVED_SLIDING else col.RESTED
 
 
 @inner

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
+from stayput.mechanics.columns import ROCKING_TILT
 from stayput.simulation.outcome import Outcome
 from stayput.simulation.space_engine import TOUCHES, Gaps
 from stayput.simulation.space_records import matrices
@@ -114,7 +115,7 @@ def past_critical(piece: Piece, place: NDArray[np.float64], turn: NDArray[np.flo
     feet = (piece.solid.base_points - piece.solid.centre_of_gravity) @ np.swapaxes(turn, 1, 2)
     lowest = feet[np.arange(len(feet)), feet[:, :, 2].argmin(axis=1), :2]
     towards = (turn @ piece.rest[2])[:, :2]
-    return (np.einsum("si,si->s", towards, lowest) < 0.0) & (tilts(piece.rest, turn) > ROCKED)
+    return (np.einsum("si,si->s", towards, lowest) < 0.0) & (tilts(piece.rest, turn) > ROCKING_TILT)
 
 
 UPRIGHT = math.pi / 3.0
@@ -254,9 +255,6 @@ def heights(
 SLID = 1e-6
 """Way from which on a body has slid [m]."""
 
-ROCKED = 1e-4
-"""Tilt from which on a body has rocked [rad]: about what contacts may be deep, over a narrow base."""
-
 LEANS = 1e-3
 """Tilt at the end from which on a body leans on what it touches [rad]: beside a wall it may still rock."""
 
@@ -344,14 +342,14 @@ def fates_of(
             outcome = Outcome.OVERTURNED
         elif tilt[-1] > LEANS and held:
             outcome = Outcome.LEANING
-        elif tilt.max() > ROCKED:
+        elif tilt.max() > ROCKING_TILT:
             outcome = Outcome.ROCKED
         elif slid.rolled:
             outcome = Outcome.ROLLED
         elif np.ptp(places[:, 2]) > LIFTED:  # as in the plane, in the air too
             outcome = Outcome.ROCKED
         else:
-            moves = slid.way.max() > SLID or slid.turned > ROCKED
+            moves = slid.way.max() > SLID or slid.turned > ROCKING_TILT
             outcome = Outcome.SLID if moves else Outcome.RESTED
         fates.append(Fate(outcome, overturned, fell_off, tilt, slid.way, slid.slide))
     return fates
