@@ -161,10 +161,6 @@ BESIDE_A_LONE_PIECE: list[tuple[dict[str, Any], str]] = [
     ({"joints": [{"first": "chest", "second": "it", "at": [0.0, 0.0, 0.5]}]}, "joints"),
     ({"static_friction": 0.5}, "static_friction is given for one piece"),
     ({"furniture": {"preset": "chest", "at": [1.0, 1.0, 0.5]}}, "furniture.at is given for one piece"),
-    (
-        {"furniture": {"preset": "chest", "measures": [{"type": "belt"}]}},
-        "furniture.measures is given for one",
-    ),
     ({"options": [{"name": "x"}]}, "options is given for one piece"),
     ({"doors": [{"wall": "right_wall", "start": 0.5}]}, "doors is given without plan"),
     ({"room": {"walls": "concrete"}}, "room.walls is given without plan"),

@@ -74,7 +74,7 @@ function peaks(run) {
         device: deviceName(both(one.label), one.place),
         force: number(Math.max(one.peak_pull_n, one.peak_push_n, one.peak_shear_n)),
         share: number(100 * one.utilisation),
-        time: number(one.failure_time_s, 1),
+        time: one.failed ? number(one.failure_time_s, 1) : "",
       }),
     );
   return parts.join(t("space"));
