@@ -2,11 +2,14 @@
 
 import numpy as np
 import pytest
+from html_pages import Page
 
+import stayput as sp
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESTED, RESULT
 from stayput.mechanics.devices.columns import DEVICE
 from stayput.model.floor_plan import FloorPlan, PersonPlace
 from stayput.montecarlo.runs import Runs
+from stayput.report.room.report import room_html
 from stayput.verification.people import CRUSHING_ENERGY, people_of
 
 PIECES = [("bookcase", 90.0), ("fridge", 70.0), ("lamp", 3.0), ("chest", 40.0)]
@@ -60,3 +63,23 @@ def test_crushed_is_within_hit_within_falls_and_a_nudge_only_touches(runs: Runs)
     }
     assert all(hit.probability.estimate <= falls[hit.piece] for hit in place.by if hit.by_falling)
     assert people.harm < 0.6 * 1400.0  # the nudge does none
+
+
+PERSONS = {"en": ("omebody", "hit", "touch", "Harm", "beds"), "ja": ("人に", "人の", "ベッド")}
+
+
+def test_a_room_without_persons_says_nothing_of_them():
+    furniture = [{"preset": "bookcase", "against": "left_wall", "along": 1.0}]
+    scenario = {
+        "plan": {"width": 3.0, "length": 2.5},
+        "doors": [{"wall": "right_wall", "start": 0.3, "width": 0.8}],
+        "furniture": furniture,
+        "shaking": {"sine": {"amplitude": 3.0, "frequency": 1.0, "duration": 3.0}},
+        "uncertainty": {"samples": 3},
+    }
+    verdict = sp.verify(sp.Scenario.parse(scenario), progress=False)
+    for language, words in PERSONS.items():
+        texts = verdict.sentence(language), verdict.to_markdown(language), room_html(verdict, language)
+        visible = [*texts[:2], " ".join(Page(texts[2]).words.split())]
+        assert not [word for word in words if any(word in text for text in visible)]
+    assert "hit" not in verdict.to_csv()

@@ -64,8 +64,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "hit_energy": ("Energy: median, 90 %", "エネルギー：中央値、90%値"),
     "mass": ("Mass", "質量"),
     "no_hit": ("No piece came to a person in any run.", "どの計算でも、人に触れた家具はありません。"),
-    "no_places": ("No places of persons are given, so nothing is said about who is hit.",
-                  "人のいる場所が指定されていないため、人に当たるかどうかは判定していません。"),
     # Doors and ways out
     "ways": ("Doors and ways out", "ドアと避難経路"),
     "ways_text": (("A door counts as blocked if it does not open the {passage:g} m that a person needs, "
@@ -92,12 +90,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Pieces
     "pieces": ("What the pieces do", "各家具の動き"),
     "piece_harm": ("Harm to people", "人への被害"),
-    "pieces_text": (("Most dangerous first. Harm is the energy with which a piece hits somebody, on "
-                     "average over all runs, counting how long people are at each place. The slide is the "
-                     "largest in a run; there is no number where the piece overturns."),
-                    ("危険な順です。被害は、人がいる時間を考慮した、"
-                     "家具が人に当たるエネルギーの全計算の平均です。移動量は揺れの間の最大値で、"
+    "pieces_text": (("Most dangerous first.{harm} The slide is the largest in a run; there is no number where "
+                     "the piece overturns."),
+                    ("危険な順です。{harm}移動量は揺れの間の最大値で、"
                      "転倒した場合は数値を示しません。")),
+    "harm_text": ((" Harm is the energy with which a piece hits somebody, on average over all runs, counting "
+                   "how long people are at each place."),
+                  "被害は、人がいる時間を考慮した、家具が人に当たるエネルギーの全計算の平均です。"),
     # Changes
     "changes": ("Single changes, best first", "変更の候補（効果の大きい順）"),
     "changes_text": (("Each change is made alone, under the same motions and with the same random "

@@ -117,9 +117,7 @@ def _clauses(verdict: Verdict) -> Iterator[Phrase]:
     worst = sorted(people.places, key=lambda place: (-place.hit.estimate, -place.touched.estimate))
     reached = [(place, place.by[0]) for place in worst if place.by]
     reached = [each for each in reached if each[1].probability.estimate >= TOLD] or reached
-    if not people.places:
-        yield phrase("rooms.no_places")
-    elif not any(first.by_falling for _, first in reached):
+    if people.places and not any(first.by_falling for _, first in reached):
         yield phrase("rooms.nobody_hit", often=often(people.hit.chance, next(cases)))
     for place, first in reached:
         values = {"piece": piece_within(first.piece), "place": _where_somebody_is(place.place)}
@@ -133,6 +131,8 @@ def _clauses(verdict: Verdict) -> Iterator[Phrase]:
         beside = phrase("rooms.with_others", count=len(others)) if others else ("", "")
         chance = first.probabilities["overturned"]
         yield happens("rooms.falls_too", chance, piece=piece_within(first.name), others=beside)
+    elif not people.places:
+        yield phrase("rooms.any_falls", often=often(verdict.without.probabilities[OVERTURNED], next(cases)))
     for door in people.doors:
         name = name_within(door.door.name, _DOOR)
         if door.at_rest:

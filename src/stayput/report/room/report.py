@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -99,7 +99,7 @@ def sections(verdict: Verdict, options: Sequence[OptionVerdict], language: str) 
     tell = partial(say, language=language)
     limit = numbers.length(verdict.slide_limit, language)
     people, room = room_words.people_in(verdict), verdict.scenario.surroundings()
-    ways_out = any(door.door.way_out for door in people.doors)
+    ways_out, somebody = any(door.door.way_out for door in people.doors), bool(people.places)
 
     def own(key: str, **values: object) -> str:
         return say(f"room_report.{key}", language, **values)
@@ -146,23 +146,28 @@ def sections(verdict: Verdict, options: Sequence[OptionVerdict], language: str) 
     for each in room_words.pieces_in(verdict):
         shares = TableCell(each.probabilities[OVERTURNED]), TableCell(each.probabilities[SLID])
         slide = both(*numbers.slides(each.slide, room, language))
-        harm = numbers.energy(each.harm) if people.places else numbers.NO_NUMBER
-        pieces.append((tell(room_words.piece_name(each.name)), *shares, slide, harm))
+        harm = [numbers.energy(each.harm)] * somebody
+        pieces.append((tell(room_words.piece_name(each.name)), *shares, slide, *harm))
     values = {"day": DAY_HOURS, "night": 24.0 - DAY_HOURS, "energy": CRUSHING_ENERGY}
     covers = own("covers") if verdict.motions > 1 else ""
     of_hits = "place", "piece", "how_often", "hit_speed", "hit_energy", "mass"
     of_doors = "door", "wall", "opens", "leads_out", "blocked"
-    of_pieces = "piece", "overturned", "slid", "slide", "piece_harm"
-    of_changes = "change", "changed_hit", "changed_shut_in", "changed_overturned", "risk"
+    of_pieces = "piece", "overturned", "slid", "slide", *["piece_harm"] * somebody
+    of_changes = ("change", "changed_hit", "changed_shut_in", "changed_overturned", "risk")
+    of_changes = of_changes if somebody else ("change", "changed_overturned")
     changes = (_change(option, verdict, language) for option in options)
-    of_places = "place", "hit", "crushed", "touched", "by_day", "by_night"
+
+    def of_people() -> Iterator[Section]:
+        of_places = "place", "hit", "crushed", "touched", "by_day", "by_night"
+        yield section("places", of_places, places, "", covers=covers, **values)
+        yield section("what_hits", of_hits, hits, "no_hit")
+
     return [
-        section("places", of_places, places, "no_places", covers=covers, **values),
-        *[section("what_hits", of_hits, hits, "no_hit")] * bool(places),
+        *(of_people() if somebody else ()),
         section("ways", of_doors, doors, "no_doors", passage=PASSAGE),
         *[section("shut_in", ("place", "shut_in"), shut_in * ways_out, "no_way_out")]
-        * bool(places and doors),
-        section("pieces", of_pieces, pieces),
+        * (somebody and bool(doors)),
+        section("pieces", of_pieces, pieces, harm=own("harm_text") if somebody else ""),
         section("changes", of_changes, changes, "no_changes"),
     ]
 
@@ -179,13 +184,12 @@ def _change(option: OptionVerdict, verdict: Verdict, language: str) -> Row:
     look = "high" if option.helps else "low" if option.worse else "model"
     clear = say("common.listed", language).join(say(tag, language) for tag in room_words.tags(option))
     change = partial(numbers.change, language=language)
-    return (
-        TableCell(verdict.label(option, language), clear, look),
-        TableCell(people.hit.chance, change(people.hit.change)),
-        TableCell(people.shut_in.chance, change(people.shut_in.change)),
-        "" if overturned is None else TableCell(overturned[0], change(overturned[1])),
-        TableCell(_risk(people)),
-    )
+    label = TableCell(verdict.label(option, language), clear, look)
+    falls = "" if overturned is None else TableCell(overturned[0], change(overturned[1]))
+    if not people.places:
+        return label, falls
+    hit, shut_in = (TableCell(each.chance, change(each.change)) for each in (people.hit, people.shut_in))
+    return label, hit, shut_in, falls, TableCell(_risk(people))
 
 
 def simulations_of_room(verdict: Verdict, language: str) -> str:

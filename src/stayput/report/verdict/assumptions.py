@@ -73,7 +73,7 @@ def assumptions(verdict: Verdict) -> list[Assumption]:
         _limit("several.limit_body" if scenario.dimensions == 3 else "report.limit_body"),
         *(
             _limit(f"room_report.limit_{key}", passage=PASSAGE, cell=100.0 * CELL)
-            for key in ("persons", "passage")
+            for key in (*["persons"] * bool(scenario.places), "passage")
             if in_room
         ),
         *(_limit(f"report.limit_{key}") for key in ("contacts", "devices")),

@@ -117,8 +117,8 @@ def _rows(verdict: Verdict) -> Iterator[tuple[str, str, str, Probability, Differ
     for option in verdict.others:
         assert option.people is not None
         label = verdict.label(option)
-        yield "hit_with", label, "", option.people.hit.chance, option.people.hit.change
-        yield "shut_in_with", label, "", option.people.shut_in.chance, option.people.shut_in.change
+        for event in ("hit", "shut_in") if people.places else ():
+            yield f"{event}_with", label, "", *getattr(option.people, event)
         if (overturned := piece_changed(option, verdict)) is not None:
             yield "overturned_with", label, "", *overturned
 
