@@ -82,4 +82,4 @@ def test_a_room_without_persons_says_nothing_of_them():
         texts = verdict.sentence(language), verdict.to_markdown(language), room_html(verdict, language)
         visible = [*texts[:2], " ".join(Page(texts[2]).words.split())]
         assert not [word for word in words if any(word in text for text in visible)]
-    assert "hit" not in verdict.to_csv()
+    assert "hit_with" not in verdict.to_csv()

@@ -90,8 +90,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Pieces
     "pieces": ("What the pieces do", "各家具の動き"),
     "piece_harm": ("Harm to people", "人への被害"),
-    "pieces_text": (("Most dangerous first.{harm} The slide is the largest in a run; there is no number where "
-                     "the piece overturns."),
+    "pieces_text": (("Most dangerous first.{harm} The slide is the largest in a run; there is no number "
+                     "where the piece overturns."),
                     ("危険な順です。{harm}移動量は揺れの間の最大値で、"
                      "転倒した場合は数値を示しません。")),
     "harm_text": ((" Harm is the energy with which a piece hits somebody, on average over all runs, counting "
