@@ -99,8 +99,7 @@ def test_names_that_are_not_given_are_the_types():
         ),
         (
             {"combine": [{"type": "tension_pole", "strength": -1.0}]},
-            r"^measures\[0\].combine\[0\].strength is -1.0; it must be 'unbreakable' or a number "
-            r"between 1 and 1e\+06 N.$",
+            r"^measures\[0\].combine\[0\].strength is -1.0; it must be 'unbreakable' or a number",
         ),
         (
             {"type": "l_bracket", "count": 2.5},
