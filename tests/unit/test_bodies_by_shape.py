@@ -44,7 +44,7 @@ def test_a_body_of_a_shape_is_a_value() -> None:
 def test_what_takes_a_section_alone_refuses_it() -> None:
     belt = sp.MEASURES["belt"]()
     with pytest.raises(sp.InputError, match="has a shape of its own"):
-        sp.verify(VASE, ROOM, shaking="6-upper")
+        sp.verify(sp.Case(VASE, ROOM, MOTION))
     with pytest.raises(sp.InputError, match="has a shape of its own"):
         sp.sweep(sp.Case(VASE, ROOM, MOTION), {"motion.scale": [1.0]})
     with pytest.raises(sp.InputError, match="initial is given for what is no lone Body"):
