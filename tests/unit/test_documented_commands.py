@@ -7,9 +7,11 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from PIL import Image
 from typer.main import get_command
 from typer.testing import CliRunner
 
+import stayput as sp
 from stayput.cli import app
 
 ROOT = Path(__file__).parents[2]
@@ -98,6 +100,15 @@ def test_a_command_of_the_readme_runs(words, beside_examples):
     assert result.output.strip()
     written = {words[n + 1] for n, word in enumerate(words) if word in WRITES}
     assert all((beside_examples / name).exists() for name in written)
+
+
+@pytest.mark.long
+def test_the_readmes_picture_shows_what_its_command_prints():
+    """``python docs/index_picture.py`` draws it anew."""
+    with Image.open(ROOT / "docs" / "verdict.png") as picture:
+        drawn = picture.info["Description"]
+    verdict = sp.verify(sp.read(ROOT / "examples" / "bookcase.toml"), levels=[], progress=False)
+    assert drawn == verdict.sentence("en")
 
 
 def test_the_readmes_python_runs(beside_examples, capsys):
