@@ -4,15 +4,12 @@ import * as api from "./api.js";
 import { choice, oneOf } from "./controls.js";
 import { el, fill, part } from "./dom.js";
 import { inNumbers, picture } from "./record.js";
-import { patiently } from "./connection.js";
-import { packed, unpackedBytes } from "./packing.js";
+import { isLost, lettersOf, linkedOf, LONGEST, motionOf, ofFurther, whole } from "./linked_record.js";
 import { worded } from "./refusals.js";
 import { FURTHER, change, current, furtherOf } from "./scene.js";
 import { spoken, t } from "./words.js";
 
 const UNITS = ["m/s²", "cm/s²", "gal", "mm/s²", "g", "%g", "mg", "in/s²", "ft/s²"];
-const LONGEST = 4096; // letters of a record in a link, with those of its further components
-const sent = new Map(); // the ids of the records in links that were sent to the server again, by their letters
 let waiting = null,
   preview = null,
   trouble = null,
@@ -145,28 +142,9 @@ function asking(file, said, { field, perhaps, also }) {
 /** Says that the server no longer has the record. */
 const lost = () => tell(() => [refusal([t("recordGone", { name: "" })])]);
 
-/** What a link holds of a record: its file in letters, or null where that is too long. */
-async function lettersOf(file, most = LONGEST) {
-  if (file.size > 16 * most) return null; // which no file of numbers is made smaller by
-  const letters = await packed(await file.arrayBuffer());
-  return letters.length <= most ? letters : null;
-}
-
 /** The server has the record of a scene no more: it is sent again where the link holds it, else said to be gone. */
 export const takeAgain = ({ record, ...scene }) =>
   takeLinked({ ...linkedOf(record), ...ofFurther(record, linkedOf) }, scene);
-
-/** Something of each further component that a record has, by its name. */
-const ofFurther = (record, made) =>
-  Object.fromEntries(FURTHER.filter((part) => record[part]).map((part) => [part, made(record[part])]));
-
-/** A record as a link has it. */
-const linkedOf = ({ id, name, shaking: { component, unit, dt, remove_mean }, letters }) => ({
-  id,
-  name,
-  said: { component, unit, dt, remove_mean },
-  letters,
-});
 
 /** Takes the record of a link into the scene, or says that it is gone. */
 export async function takeLinked(linked, { scaled, onFloor }) {
@@ -180,9 +158,6 @@ export async function takeLinked(linked, { scaled, onFloor }) {
     lost();
   }
 }
-
-/** Whether a record of a link is neither on the server nor in the link. */
-const isLost = (error, { letters }) => error instanceof api.Refused || Boolean(letters);
 
 /** Takes the record of a link into the scene, with its further components or, where one is gone, with a notice; see `motionOf`. */
 async function useLinked(linked) {
@@ -198,22 +173,6 @@ async function useLinked(linked) {
   }
   await use(record);
   if (gone) change({ gone });
-}
-
-/** A motion on the server as the scene has it, as a record or as a further component; "letters" are what a link holds of it. */
-export const whole = (motion, letters) => ({ id: motion.id, name: motion.name, shaking: motion.shaking, motion, letters });
-
-/** The record of a link as the server knows it; one that it has no more is sent again, if the link holds it. */
-export async function motionOf({ id, name, said, letters }) {
-  const on = (which) => patiently(() => api.motion(which, said.component));
-  const known = await on(letters && sent.has(letters) ? sent.get(letters) : id).catch((error) => {
-    if (error.status !== 404 || !letters) throw error;
-  });
-  if (known) return known;
-  const file = new File([await unpackedBytes(letters)], name ?? ""),
-    motion = await patiently(() => api.upload(file, said));
-  sent.set(letters, motion.id);
-  return motion;
 }
 
 /** Whether a record holds a vertical component alone. */

@@ -3,6 +3,7 @@
 
 import * as api from "../api.js";
 import * as fields from "../scene.js";
+import { motionOf, whole } from "../linked_record.js";
 import * as upload from "../upload.js";
 import * as room from "./room.js";
 
@@ -76,11 +77,11 @@ async function fetchRecord(shaking) {
     wave = waveOf(id);
   wanted = id;
   try {
-    const motion = await upload.motionOf({ id, said: { component, unit, dt, remove_mean }, ...wave }),
+    const motion = await motionOf({ id, said: { component, unit, dt, remove_mean }, ...wave }),
       further = {};
     for (const [part, one] of linked) {
-      const known = await upload.motionOf(one);
-      further[part] = upload.whole(known, one.letters);
+      const known = await motionOf(one);
+      further[part] = whole(known, one.letters);
     }
     if (room.current().shaking?.record !== id) return;
     const now = { record: motion.id, ...fields.furtherOf(further) };
@@ -91,7 +92,7 @@ async function fetchRecord(shaking) {
       return;
     }
     const about = linked.length ? await api.motion(id, component, ids) : motion;
-    put({ record: { ...upload.whole(motion, wave.letters), motion: about, ...further } });
+    put({ record: { ...whole(motion, wave.letters), motion: about, ...further } });
     upload.update();
   } catch (error) {
     const held = wave.letters || linked.some(([, one]) => one.letters);
