@@ -113,6 +113,7 @@ def made() -> dict[str, Any]:
             "(95 % interval: 60 to 90 %).",
             "「本棚」がベッドにいる人に当たります。",
         ),
+        "left_out": None,
         "best": words("Best single change: bookcase moved.", "最も効果のある変更：「本棚」を移動。"),
         "jma_intensity": 6.25,
         "intensity_class": "6-upper",
