@@ -190,7 +190,7 @@ class InputError(_Told, ValueError):
     ... except sp.InputError as error:
     ...     print(error)
     ...     print(error.field)
-    Body width is -0.4 m; it must be between 0.001 and 100 m.
+    Body width is -0.4 m; it must be between 0.001 and 30 m.
     width
     """
 

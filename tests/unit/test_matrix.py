@@ -89,7 +89,7 @@ FEATURES = {
     "a direction": stated(direction=0.7),
     "joints": stated(
         refused={"one": "joints"},
-        joints=[{"first": "crate", "second": "drum", "at": [2.0, 1.0, 0.4], "to": [2.0, 1.8, 0.4]}],
+        joints=[{"first": "crate", "second": "drum", "at": [2.0, 0.8, 0.4], "to": [2.0, 1.8, 0.4]}],
     ),
     "places of people": stated(
         refused={"one": "places is given without plan", "three": "places is given without plan"},

@@ -85,6 +85,5 @@ __all__ = [
     "element_rows",
     "hold",
     "parameters",
-    "sets_of",
     "sketch",
 ]

@@ -70,7 +70,7 @@ class AwayFromWall(OtherGap):
     >>> for measures in ([], [AwayFromWall()]):
     ...     run = sp.simulate(chest, room, sp.near_fault(), measures)
     ...     print(f"{run.room.left_wall.gap} m: {run.outcome}, {run.wall_impacts} hits on the wall")
-    0.02 m: slid, 6 hits on the wall
+    0.02 m: slid, 3 hits on the wall
     0.3 m: slid, 0 hits on the wall
     """
 

@@ -400,7 +400,7 @@ def read(path: str | Path) -> Scenario:
     ...     print(f"{option.name}: {run.outcome}")
     felt_glides: overturned
     belt: rocked
-    l_bracket: rocked
+    l_bracket: leaning
     stopper and poles: overturned
     """
     instance_of("path", path, (str, PathLike))
