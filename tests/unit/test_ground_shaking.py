@@ -69,7 +69,7 @@ def scenario(**shaking: Any) -> Scenario:
         ),
         ({"sa": {"period": 0.3}}, "shaking.sa.value is missing"),
         ({"mmi": 11.0}, "shaking.mmi is 11.0; it must be a number between 2 and 10."),
-        ({"pga": 0.0}, "shaking.pga is 0.0; it must be a number between 0.001 and 10000 m/s²."),
+        ({"pga": 0.0}, "shaking.pga is 0.0; it must be a number between 0.001 and 1000 m/s²."),
         (
             {"earthquake": {"magnitude": 9.0, "distance": 20.0}},
             "shaking.earthquake.magnitude is 9.0; it must be a number between 5.8 and 8.3.",

@@ -445,7 +445,7 @@ def test_a_map_tells_one_thing(tmp_path, header):
         ("sa_0.3", "35,135,nan", "is nan; it must be a finite number"),
         ("sa_0.3", "35,135,0.4 g", "is '0.4 g'; it must be a number"),
         ("sa_0.3", "35,135,,", "row 2: The row has 4 cells; it must have one for each of 3"),
-        ("intensity", "35,135,10", "is 10; it must be between -3 and 9"),
+        ("intensity", "35,135,10", "is 10; it must be between -3 and 7.5"),
         (
             "intensity",
             "35,135,5\n35.0,135,6",

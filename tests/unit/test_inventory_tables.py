@@ -75,7 +75,7 @@ def test_a_bad_row_is_rejected_with_its_reason(tmp_path, name):
 REFUSED = {
     "no header": ("p1,chest\n", "No heading of the first row is known"),
     "unit that is none of a size": ("id,preset,Mass (cm)\np,chest,40\n", "no unit that is known for it"),
-    "endless cell": ("id,preset\np," + "c" * (2**24 + 1) + "\n", "within 16,777,216 characters"),
+    "endless cell": ("id,preset\np," + "c" * (2**24 + 1) + "\n", "more than 16,777,216 characters"),
     "misspelt": ("id,presett\np,chest\n", "did you mean 'preset'"),
     "column twice": ("id,preset,preset\np,chest,chest\n", "given twice"),
     "empty": ("", "it is empty"),
