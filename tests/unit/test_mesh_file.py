@@ -146,8 +146,8 @@ FLAT = (
         ((BOX * [1, 1, 0], TRIANGLES), r"The body is 0\.3 × 0\.8 × 0 m; each side must be between", "unit"),
         (FLAT, "lie in a plane", "vertices"),
         ((1000 * BOX, TRIANGLES), r"The body is 300 × 800 × 1800 m; .*\(is the unit 'mm'\?\)\.$", "unit"),
-        ((1e-3 * BOX, TRIANGLES), r"each side must be between 0\.001 and 100 m\.$", "unit"),
-        ((1e9 * BOX, TRIANGLES), r"each side must be between 0\.001 and 100 m\.$", "unit"),
+        ((1e-3 * BOX, TRIANGLES), r"each side must be between 0\.001 and 30 m\.$", "unit"),
+        ((1e9 * BOX, TRIANGLES), r"each side must be between 0\.001 and 30 m\.$", "unit"),
         (
             (np.where(BOX > 1.0, np.nan, BOX), TRIANGLES),
             "One of the numbers of the vertices is NaN or too large",

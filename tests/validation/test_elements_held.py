@@ -176,7 +176,7 @@ def test_a_wedge_tilts_the_body_back_and_turns_its_limits(run):
         u, v = body.corners[corner]
         across, up = u * cos + v * sin, v * cos - u * sin
         limit = threshold(
-            lambda a, way=way: run(body, place, constant(way * a, 0.05)).result["outcome"] != 0,
+            lambda a, way=way: run(body, place, constant(way * a, 0.05)).result["peak_tilt"] > 0.0,
             0.05 * G,
             0.6 * G,
             halvings=30,
@@ -207,7 +207,7 @@ def test_each_base_corner_has_its_own_friction(run, left, right):
         # it starts to slide at the same load, in the direction that the load pushes it
         limit = threshold(
             lambda a, d=d, floor=floor: (
-                run(sp.Body(b, h, 100.0), sp.Room(floor), constant(-d * a, 0.05)).result["outcome"] != 0
+                run(sp.Body(b, h, 100.0), sp.Room(floor), constant(-d * a, 0.05)).result["peak_slide"] > 0.0
             ),
             0.01 * G,
             0.9 * G,

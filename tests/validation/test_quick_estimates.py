@@ -100,7 +100,7 @@ def test_tie_is_needed_from_the_rocking_acceleration_on(width: float, height: fl
 
 def test_ishiyama_of_a_slender_body_goes_as_width_over_root_height() -> None:
     # α → 0: 0.4 √(8 g (H/2)(B/H)²/2 / 3) = 0.4 √(2g/3) B/√H
-    for height in (2.0, 8.0, 50.0):
+    for height in (2.0, 8.0, 28.0):
         width = 1e-2 * height
         limit = 0.4 * math.sqrt(2.0 * STANDARD_GRAVITY / 3.0) * width / math.sqrt(height)
         assert ishiyama_velocity(sp.Body(width, height, 100.0)) == pytest.approx(limit, rel=2e-4)

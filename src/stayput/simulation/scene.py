@@ -107,7 +107,7 @@ class Joint:
 STRENGTH_RANGE = (1e-3, 1e9)
 """Smallest and largest strength of a joint but inf [N]."""
 
-JOINT_REACH = 0.1
+JOINT_REACH = 0.3
 """How far the point of a joint may be from a piece, as the plates and straps that are sold reach [m]."""
 
 MOST_BODIES = 100
