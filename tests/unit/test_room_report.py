@@ -19,15 +19,7 @@ from stayput.model.floor_plan import rectangle
 from stayput.montecarlo.counting import EVENTS, Member, Quantiles
 from stayput.report.room.plan import DrawnPiece, change_plan, covers_svg, plan_svg
 from stayput.report.room.report import room_html, sections, write_room_report
-from stayput.report.room.sheet import (
-    LONGEST,
-    PlanLabel,
-    PlanSheet,
-    names_svg,
-    overlap,
-    places_of_names,
-    wrapped,
-)
+from stayput.report.room.sheet import PlanSheet
 from stayput.report.verdict import numbers
 from stayput.scenario import Scenario
 from stayput.simulation.space_fate import Stability
@@ -431,20 +423,6 @@ def test_names_on_the_plan_are_escaped_and_told_to_a_screen_reader():
     assert f"{plan.width:g} m wide" in picture
 
 
-def test_names_do_not_overlap_where_there_is_room():
-    labels = [PlanLabel(("wardrobe",), "overturns: 3 %", (100.0, 100.0, 130.0, 200.0)) for _ in range(3)]
-    boxes = places_of_names(labels, [], (0.0, 0.0, 460.0, 460.0))
-    assert not overlap(boxes)
-    texts = names_svg(labels, boxes)
-    places = {
-        (float(x), float(y)) for x, y in re.findall(r'<text x="([\d.]+)" y="([\d.]+)" class="name', texts)
-    }
-    assert len(places) == 3
-    found = sorted(places)
-    for n, (x, y) in enumerate(found):
-        assert all(abs(y - v) >= 30.0 or abs(x - u) >= 80.0 for u, v in found[n + 1 :])
-
-
 def test_numbers_and_letters_stand_for_names_that_would_overlap():
     """Of ten pieces side by side in a large room the names overlap; the numbers of the steps do not."""
     plan = replace(made().scenario.scene().plan, width=12.0, length=9.0)
@@ -464,22 +442,6 @@ def test_numbers_and_letters_stand_for_names_that_would_overlap():
     assert sorted(marks) == sorted([*numbered.values(), *told])
     plain = plan_svg(plan, pieces, ["bed", "cot"], "en")
     assert plain.legend == ()  # without numbers there is nothing to stand for a name
-
-
-@pytest.mark.parametrize(
-    ("name", "lines"),
-    [
-        ("desk", ("desk",)),
-        ("second bookcase by the wall", ("second bookcase by", "the wall")),
-        ("本" * 40, ("本" * 10 + "…",)),
-        ("a " * 60, ("a a a a a a a a a a", "a a a a a a a a a…")),
-    ],
-)
-def test_long_names_are_wrapped_and_cut(name, lines):
-    found = wrapped(name)
-    assert len(found) == len(lines)
-    assert found[0] == lines[0]
-    assert all(len(line) <= LONGEST / 0.5 for line in found)
 
 
 def test_the_best_change_that_moves_something_is_drawn():
