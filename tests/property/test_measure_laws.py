@@ -38,7 +38,8 @@ def heavier(measure: Measure, factor: float) -> Measure:
     """Return a measure with its forces, and its stiffness, this times as large."""
     forces = {"strength", "stiffness", "preload", "sideways_stiffness", "tension", "shear", "modulus"}
     names = {field.name: getattr(measure, field.name) for field in dataclasses.fields(measure)}
-    return type(measure)(**{name: factor * v if name in forces else v for name, v in names.items()})
+    numbers = {name for name in forces & names.keys() if not isinstance(names[name], str)}
+    return type(measure)(**{name: factor * v if name in numbers else v for name, v in names.items()})
 
 
 @given(measures=st.sampled_from(KINDS), scale=st.sampled_from([0.5, 0.75, 1.0]), power=st.integers(-1, 1))

@@ -153,7 +153,6 @@ class Body(Shapes, Brief):
                 if getattr(self, about.name) != value:
                     raise InputError("model.not_of_its_shape", about.name, name=about.name)
             return
-        self._refuse_absurd_density()
         for name in ("cg_offset", "base_heights", "base_insets"):
             numbers(parameter_of(Body, name).label, getattr(self, name), name, count=2)
         label = parameter_of(Body, "cg_offset").label
@@ -174,16 +173,6 @@ class Body(Shapes, Brief):
         if not left < 0.0 < right:
             label, bearing = parameter_of(Body, "base_insets").label, phrase("model.bearing_insets", x=e_x)
             raise not_allowed(label, repr(self.base_insets), bearing, "base_insets")
-
-    def _refuse_absurd_density(self) -> None:
-        """Refuse a mass that no furniture of this size has: mostly grams or tonnes in place of kilograms."""
-        section = self.width * self.height
-        shortest, longest = (self.length, self.length) if self.length else UNSTATED_LENGTH
-        least, most = DENSITY_RANGE
-        if not least * section * shortest <= self.mass <= most * section * longest:
-            length = longest if self.mass > most * section else shortest
-            density = self.mass / (section * length)
-            raise InputError("model.density", "mass", mass=self.mass, density=density, least=least, most=most)
 
     def _repr_html_(self) -> str:
         from stayput.report.notebook import body_html
@@ -372,6 +361,21 @@ def _check_size(width: float, height: float) -> None:
     """Refuse a section that is not possible before anything is computed from it; see `Body`."""
     for name, size in (("width", width), ("height", height)):
         parameter_of(Body, name).check(size)
+
+
+def check_density(body: Body) -> Body:
+    """Return a piece of furniture, or refuse a mass that none of its size has: grams or tonnes for kilograms.
+
+    Bodies themselves may have any: how one moves without devices does not depend on it.
+    """
+    section = body.width * body.height
+    shortest, longest = (body.length, body.length) if body.length else UNSTATED_LENGTH
+    least, most = DENSITY_RANGE
+    if not least * section * shortest <= body.mass <= most * section * longest:
+        length = longest if body.mass > most * section else shortest
+        density = body.mass / (section * length)
+        raise InputError("model.density", "mass", mass=body.mass, density=density, least=least, most=most)
+    return body
 
 
 @dataclass(frozen=True, slots=True)

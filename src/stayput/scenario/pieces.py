@@ -12,7 +12,7 @@ from pydantic import Field, PrivateAttr, model_validator
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
-from stayput.model.body import Body
+from stayput.model.body import Body, check_density
 from stayput.model.parameters import SIZE_RANGE, parameters
 from stayput.model.room import WALLS_AROUND
 from stayput.scenario.fields import Table, Text, ValueTable, between, checked, fields_of, named, one_of
@@ -161,9 +161,9 @@ class PieceTable(ValueTable):
             if key in values:
                 values[key] = tuple(values[key])
         if self.shelves is None:
-            return Body(**values)
+            return check_density(Body(**values))
         width, height, mass = (values.pop(key) for key in ("width", "height", "mass"))
-        return replace(Body.bookcase(width, height, mass, self.shelves), **values)
+        return check_density(replace(Body.bookcase(width, height, mass, self.shelves), **values))
 
     def body_in(self, folder: Path) -> Body:
         """Make the body, of a mesh in a folder.
