@@ -319,17 +319,14 @@ def fates_of(
     bears = _bears(pieces, first)
     fates: list[Fate] = []
     for b, piece in enumerate(pieces):
-        moved, pose = _moves(place[b], turn[b])
-        places, turns = _chosen(place[b], moved), unrolled(piece, _chosen(turn[b], moved))
-        tilt = tilts(piece.rest, turns)[pose]
-        on = [_seen_from(a, b, place, turn) for a in np.flatnonzero(bears[:, b]).tolist()] or [
-            (place[b], turn[b])
-        ]
-        slid = max((_slid(piece, *seen) for seen in on), key=lambda each: each.way.max())
+        poses, bearers = _poses(piece, place[b], turn[b]), np.flatnonzero(bears[:, b]).tolist()
+        tilt = tilts(piece.rest, poses.turns)[poses.repeats]
+        seen = [_poses(piece, *_seen_from(a, b, place, turn)) for a in bearers] or [poses]
+        slid = max((_slid(piece, each) for each in seen), key=lambda each: each.way.max())
         if given_up or not np.isfinite(place[b]).all():
             fates.append(Fate(Outcome.FAILED, None, None, tilt, slid.way, slid.slide))
             continue
-        overturned = _first(lies_on_floor(piece, places, turns)[pose])
+        overturned = _first(lies_on_floor(piece, poses.places, poses.turns)[poses.repeats])
         if overturned is None and touching[b].any():
             overturned = _since(tilt > LIES)
         fell_off = _falls_off(b, pieces, place, turn, bears, touching)
@@ -346,13 +343,31 @@ def fates_of(
             outcome = Outcome.ROCKED
         elif slid.rolled:
             outcome = Outcome.ROLLED
-        elif np.ptp(places[:, 2]) > LIFTED:  # as in the plane, in the air too
+        elif np.ptp(poses.places[:, 2]) > LIFTED:  # as in the plane, in the air too
             outcome = Outcome.ROCKED
         else:
             moves = slid.way.max() > SLID or slid.turned > ROCKING_TILT
             outcome = Outcome.SLID if moves else Outcome.RESTED
         fates.append(Fate(outcome, overturned, fell_off, tilt, slid.way, slid.slide))
     return fates
+
+
+class _Poses(NamedTuple):
+    """The poses of a body at the samples at which it moves, and which of them each sample repeats.
+
+    ``turns`` are the rotations without what a body on its round side has rolled, ``turned`` with it.
+    """
+
+    places: NDArray[np.float64]
+    turned: NDArray[np.float64]
+    turns: NDArray[np.float64]
+    repeats: NDArray[np.intp]
+
+
+def _poses(piece: Piece, place: NDArray[np.float64], turn: NDArray[np.float64]) -> _Poses:
+    moved, repeats = _moves(place, turn)
+    turned = _chosen(turn, moved)
+    return _Poses(_chosen(place, moved), turned, unrolled(piece, turned), repeats)
 
 
 class _Slid(NamedTuple):
@@ -364,17 +379,14 @@ class _Slid(NamedTuple):
     turned: float
 
 
-def _slid(piece: Piece, place: NDArray[np.float64], turn: NDArray[np.float64]) -> _Slid:
+def _slid(piece: Piece, poses: _Poses) -> _Slid:
     """Return how a body has slid over what it stands on; see `slides`."""
-    moved, pose = _moves(place, turn)
-    places, turned = _chosen(place, moved), _chosen(turn, moved)
-    turns = unrolled(piece, turned)
-    slide = slides(piece, places, turns)
+    slide, turns = slides(piece, poses.places, poses.turns), poses.turns
     ways = np.linalg.norm(slide, axis=1)
     most = int(ways.argmax())
-    rolls = max(SLID, 2.0 * np.linalg.norm((slide - rolled(piece, turned))[most])) < ways[most]
+    rolls = max(SLID, 2.0 * np.linalg.norm((slide - rolled(piece, poses.turned))[most])) < ways[most]
     turn_in_plan = np.abs(turns[:, :2, :2] - turns[0, :2, :2]).max()
-    return _Slid(slide[pose], ways[pose], bool(rolls), float(turn_in_plan))
+    return _Slid(slide[poses.repeats], ways[poses.repeats], bool(rolls), float(turn_in_plan))
 
 
 def _seen_from(
