@@ -12,6 +12,7 @@ from stayput.montecarlo.counting import OVERTURNED
 from stayput.rooms.steps import ActionPlan, Fix, PlanStep, cost_class_of, fails_to_hold, merit
 from stayput.simulation.placing import placed
 from stayput.simulation.space_fate import MAY_FALL_FROM
+from stayput.verification.people import DECIDING_EVENTS
 from stayput.verification.room_words import label_of, people_in, piece_name
 from stayput.verification.words import class_phrase
 from stayput.wording import inside, joined
@@ -157,8 +158,7 @@ def chances_after(effect: OptionVerdict, plan: ActionPlan) -> dict[str, tuple[Pr
     """Return what may happen with something, by the key of its words, and how likely it is as the room is."""
     people, now = effect.people, people_in(plan.verdict)
     assert people is not None
-    keys = "hit", "shut_in", "blocked"
-    return {key: (getattr(people, key).chance, getattr(now, key).chance) for key in keys}
+    return {key: (getattr(people, key).chance, getattr(now, key).chance) for key in DECIDING_EVENTS}
 
 
 def worth_telling(effect: OptionVerdict, plan: ActionPlan) -> dict[str, tuple[Probability, Probability]]:

@@ -29,6 +29,9 @@ DAY_HOURS = 16.0
 HARM_STEPS = 20.0
 """Steps of a decade of energy in the ranking: harm that differs by less, by about a tenth, is alike."""
 
+DECIDING_EVENTS = ("hit", "shut_in", "blocked")
+"""What happens to people and doors by which options are compared, the gravest first; fields of `People`."""
+
 CRUSHING_ENERGY = 79.0
 """Energy from which on a falling piece crushes whom it hits [J].
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from stayput.fragility.paired import difference
 from stayput.montecarlo.counting import severity
 from stayput.verification.contents import less_out
-from stayput.verification.people import events_of
+from stayput.verification.people import DECIDING_EVENTS, events_of
 
 if TYPE_CHECKING:
     from stayput.fragility.paired import Difference
@@ -57,7 +57,7 @@ def ranks_of(verdicts: Sequence[OptionVerdict], outcomes: Sequence[Runs], limit:
         change = partial(difference, missing=now.missing | then.missing, comparisons=others)
         if now.hits is not None:
             events = events_of(now), events_of(then)
-            yield from (change(*(each[name] for each in events)) for name in ("hit", "shut_in", "blocked"))
+            yield from (change(*(each[name] for each in events)) for name in DECIDING_EVENTS)
         yield change(now.overturned, then.overturned)
         contents = verdicts[first].contents, verdicts[second].contents
         if contents[0] is not None and contents[1] is not None:

@@ -14,6 +14,7 @@ from stayput.errors import InputError, shown
 from stayput.montecarlo.counting import OVERTURNED, SLID, Member, Quantiles
 from stayput.saved import InJson
 from stayput.simulation.space_fate import MAY_FALL_FROM, Stability
+from stayput.verification.people import DECIDING_EVENTS
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
@@ -225,7 +226,7 @@ class OptionVerdict:
             each = {OVERTURNED: self.change, "contents_out": contents, SLID: self.slid}
             yield from ((name, change) for name, change in each.items() if change is not None)
             return
-        for name in ("hit", "shut_in", "blocked"):
+        for name in DECIDING_EVENTS:
             if (change := getattr(self.people, name).change) is not None:
                 yield name, change
         for piece in self.pieces:

@@ -10,7 +10,15 @@ from typing import NamedTuple
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, excerpt, without_control
 from stayput.motion.channels import LISTED, is_direction, is_down, is_vertical
-from stayput.motion.units import BRACKET, UNIT_OF_TIME, is_motion, known_unit, quantity_of, time_factor
+from stayput.motion.units import (
+    BRACKET,
+    UNIT_OF_TIME,
+    is_motion,
+    known_unit,
+    not_acceleration,
+    quantity_of,
+    time_factor,
+)
 from stayput.wording import joined
 
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9\-]{0,11}")
@@ -238,8 +246,7 @@ def read_headings(
     if count > 2 and not any(map(is_vertical, names)) and (unread := _unread_order(lines)):
         raise InputError("motion.column_order_unread", line=excerpt(unread), option="columns")
     if _OF_SPECTRA.fullmatch(texts[0]) and not times:
-        spectrum = phrase("motion.spectral")
-        raise InputError("motion.not_acceleration", where=excerpt(texts[0]), quantity=spectrum)
+        raise not_acceleration(texts[0], "spectral")
     if not times and names and all(map(is_direction, names)) and step_stated:
         return Headings(tuple(texts), None, names=names)
     of_another = _OTHER_THAN_TIME.fullmatch(texts[0]) is not None

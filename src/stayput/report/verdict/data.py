@@ -22,7 +22,7 @@ from stayput.rooms.purchases import MARGIN, QUANTILE
 from stayput.rooms.step_words import forces_asked, heading, where
 from stayput.verification.notes import Estimates, everyday_cases, notes
 from stayput.verification.options import inputs
-from stayput.verification.people import CRUSHING_ENERGY
+from stayput.verification.people import CRUSHING_ENERGY, DECIDING_EVENTS
 from stayput.verification.room_words import people_in, piece_changed, pieces_in
 
 if TYPE_CHECKING:
@@ -89,7 +89,7 @@ def verdict_dataset(verdict: Verdict) -> xr.Dataset:
             values = [[getattr(getattr(piece, name), part) for piece in option.pieces] for option in options]
             about = {"units": unit, "long_name": f"{part} of the largest {name}; inf where it overturns"}
             data[f"{name}_{part}"] = (("option", "piece"), values, about)
-    for name in ("hit", "shut_in", "blocked") if options[0].people is not None else ():
+    for name in DECIDING_EVENTS if options[0].people is not None else ():
         chances = [getattr(option.people, name).chance for option in options]
         values = [[getattr(chance, part) for part in bound] for chance in chances]
         data[name] = (("option", "bound"), values)
