@@ -101,15 +101,15 @@ def bare(scenario: Path, table: Path, threads: int) -> tuple[int, float, float]:
     from stayput.inventory.items import RowReader
     from stayput.inventory.scenarios import read_scenarios
     from stayput.inventory.tables import open_table
-    from stayput.montecarlo.hazard import Ground, PreparedFloor
     from stayput.montecarlo.sampling import Settings, draws, rows_of
+    from stayput.montecarlo.scaled_motions import PreparedFloor, ScaledMotions
     from stayput.saved import from_text
     from stayput.simulation.many import run_rows
 
     cities = read_scenarios(scenario)
     city = cities.all[0]
     reader, settings = RowReader(cities), Settings.of(city.scenario, len(city.ground), 0.1)
-    ground = Ground(city.ground)
+    ground = ScaledMotions(city.ground)
     level = city.scenario.shaking.wanted_intensity
     floor = PreparedFloor.of(ground.acting, ground.factors(level, 1.0))
     drawn = draws(settings.motions, settings.samples, settings.seed)
@@ -215,12 +215,12 @@ def kinds(folder: Path) -> list[dict[str, Any]]:
     from stayput.inventory.store import record_type
     from stayput.inventory.work import evaluate
     from stayput.measures import MEASURES
-    from stayput.montecarlo.hazard import Ground, PreparedFloor
     from stayput.montecarlo.sampling import Settings
+    from stayput.montecarlo.scaled_motions import PreparedFloor, ScaledMotions
     from stayput.saved import to_text
 
     stated = read_scenarios(city(folder, 160)).all[0]
-    ground = Ground(stated.ground)
+    ground = ScaledMotions(stated.ground)
     floor = PreparedFloor.of(ground.acting, ground.factors(6.25, 1.0))
     settings = Settings.of(stated.scenario, len(stated.ground), 0.1)
     outcome = record_type(settings.motions, settings.samples)

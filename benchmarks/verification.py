@@ -26,7 +26,7 @@ from stayput.fragility.curve import fragility_curve
 from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.fragility.trials import Trials
 from stayput.montecarlo.counting import SLIDE_LIMIT
-from stayput.montecarlo.hazard import Hazard
+from stayput.montecarlo.scaled_motions import ScaledMotions
 from stayput.scenario import Scenario
 from stayput.verification import LEVELS, verify
 from stayput.verification.compare import CAPACITIES
@@ -164,10 +164,10 @@ class Count:
 
     def add(self, scenario: Scenario) -> None:
         """Make all runs of a scenario, and those that are needed."""
-        (options, _), hazard = compared_options(scenario), Hazard.of(scenario)
-        contest = Contest(scenario, SLIDE_LIMIT, None, hazard=hazard)
+        (options, _), scaled_motions = compared_options(scenario), ScaledMotions.of(scenario)
+        contest = Contest(scenario, SLIDE_LIMIT, None, scaled_motions=scaled_motions)
         stated = contest.run(options, contest.settings.samples)
-        floors_at = cache(hazard.at)
+        floors_at = cache(scaled_motions.at)
         (every, runs), (few, made) = (
             contest.falls(options, stated, LEVELS, floors_at, every_run=each) for each in (True, False)
         )

@@ -25,9 +25,9 @@ from interval_coverage import (
 
 import stayput as sp
 from stayput.measures import MEASURES
-from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
+from stayput.montecarlo.scaled_motions import ScaledMotions
 from stayput.motion.suites.synthesis import synthetic_suite
 from stayput.uncertainty import uniforms
 
@@ -74,15 +74,15 @@ class Simulated:
     def runs(self) -> Falls:
         """Falls of all motions and draws."""
         body, room = sp.Body(0.40, 1.60, 80.0), sp.Room(floor=sp.Floor.of("wood flooring"))
-        hazard = Hazard(synthetic_suite(count=MOTIONS, seed=11))
+        scaled_motions = ScaledMotions(synthetic_suite(count=MOTIONS, seed=11))
         drawn = draws(MOTIONS, DRAWS, 3)
         sets = (), (MEASURES["lower_shelves"](),)
         bare, held = (rows_of(body, room, measures, drawn, 9.81) for measures in sets)
 
         def fell(intensity: float) -> NDArray[np.bool_]:
-            return run_level([bare], hazard.at(intensity))[0].overturned
+            return run_level([bare], scaled_motions.at(intensity))[0].overturned
 
-        without, with_it = run_level([bare, held], hazard.at(HERE))
+        without, with_it = run_level([bare, held], scaled_motions.at(HERE))
         by_level = np.stack([fell(float(level)) for level in self.levels])
         return Falls(by_level, without.overturned, with_it.overturned, fell(WEAK))
 

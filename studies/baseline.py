@@ -23,9 +23,9 @@ from stayput.measures import Held
 from stayput.model.body import FURNITURE, Body
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import SURFACES, Floor, Room, Wall
-from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level, run_levels
 from stayput.montecarlo.sampling import draws, rows_of
+from stayput.montecarlo.scaled_motions import ScaledMotions
 from stayput.report.palette import INK
 from stayput.scenario.tables import BuildingTable
 from stayput.uncertainty import USUAL
@@ -268,7 +268,7 @@ def turned(motion: Motion) -> Motion:
     return max((motion.rotated(float(angle)) for angle in angles), key=lambda one: one.pgv)
 
 
-def run_baselines(rows: Sequence[Rows], hazard: Hazard) -> xr.Dataset:
+def run_baselines(rows: Sequence[Rows], scaled_motions: ScaledMotions) -> xr.Dataset:
     """Run pieces at all levels.
 
     Returns
@@ -277,7 +277,7 @@ def run_baselines(rows: Sequence[Rows], hazard: Hazard) -> xr.Dataset:
         ``velocity`` [m/s] and ``intensity`` at which half of each piece's runs overturn, NaN where that was
         not reached, over ``row``; ``share`` that overturns, over ``row`` and ``level``.
     """
-    floors_at = cache(hazard.at)
+    floors_at = cache(scaled_motions.at)
     falls, _ = run_levels(rows, LEVELS, floors_at, progress=lambda _: None)
     medians: list[list[float]] = []
     for im in (PFV, JMA_INTENSITY):
@@ -292,7 +292,7 @@ def run_baselines(rows: Sequence[Rows], hazard: Hazard) -> xr.Dataset:
 def run_storeys(rows: Sequence[Rows], ground: Suite) -> NDArray[np.float64]:
     """Return the share of each piece that falls, shape [storey, level, piece]."""
     building = BuildingTable(storeys=STOREYS[-1], structure="RC")
-    by_storey = [Hazard(ground, building, storey) for storey in STOREYS]
+    by_storey = [ScaledMotions(ground, building, storey) for storey in STOREYS]
     return np.array(
         [
             [[runs.overturned.mean() for runs in run_level(rows, one.at(level))] for level in GROUND_LEVELS]
@@ -322,8 +322,8 @@ def baseline(motions: int = 48, *, samples: int = 8, seed: int = 1) -> Study:
     ground = synthetic_suite("mixed", motions, seed)
 
     @cache
-    def hazard(is_turned: bool = False, vertical: bool = True) -> Hazard:
-        return Hazard(Suite(tuple(map(turned, ground))) if is_turned else ground, vertical=vertical)
+    def motions_of(is_turned: bool = False, vertical: bool = True) -> ScaledMotions:
+        return ScaledMotions(Suite(tuple(map(turned, ground))) if is_turned else ground, vertical=vertical)
 
     def drawn(bodies: Sequence[Body], wall: Wall | None) -> list[Rows]:
         room = Room(WOOD, left_wall=wall)
@@ -339,11 +339,13 @@ def baseline(motions: int = 48, *, samples: int = 8, seed: int = 1) -> Study:
             FREE: drawn(bodies, None),
             WALL: drawn(bodies, Wall(STANDS)),
         }
-        return {name: run_baselines(of, hazard()) for name, of in rows.items()}
+        return {name: run_baselines(of, motions_of()) for name, of in rows.items()}
 
     pieces, home = [_preset(name) for name in PIECES], [_preset(name) for name in AT_HOME]
     effects = settings(pieces) | {
-        one.name: run_baselines(stated([one.held(body) for body in pieces]), hazard(one.turned, one.vertical))
+        one.name: run_baselines(
+            stated([one.held(body) for body in pieces]), motions_of(one.turned, one.vertical)
+        )
         for one in EFFECTS
     }
     by_effect = xr.concat(list(effects.values()), xr.Variable("effect", list(effects))).rename(row="piece")
@@ -363,7 +365,7 @@ def baseline(motions: int = 48, *, samples: int = 8, seed: int = 1) -> Study:
                 [kaneko_hayashi_velocity(one.body) for one in LOSS_MODEL],
                 {"units": "m/s"},
             ),
-            "share": run_baselines(at_home, hazard())["share"].rename(row="home"),
+            "share": run_baselines(at_home, motions_of())["share"].rename(row="home"),
             "storey_share": (("storey", "ground", "home"), run_storeys(at_home, ground)),
         },
         {

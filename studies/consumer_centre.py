@@ -20,9 +20,9 @@ from stayput.measures import TensionPole, WedgeStopper
 from stayput.model.body import FURNITURE, Body
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Ceiling, Floor, Room, Wall
-from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
+from stayput.montecarlo.scaled_motions import ScaledMotions
 from stayput.motion.suites.synthesis import synthetic_suite
 from stayput.report.palette import ALARM, INK
 from studies.study import NO, PARTLY, YES, Quantity, Study, claim, panels, span
@@ -117,11 +117,13 @@ def consumer_centre(motions: int = 24, *, samples: int = 8, seed: int = 1) -> St
     drawn = draws(motions, samples, seed)
     share = np.zeros((len(TESTS), len(SHAKINGS), len(GAPS), len(LOOKS)))
     given_up = 0
-    hazards = {name: Hazard(synthetic_suite(name, motions, seed)) for name in ("crustal", "near-fault")}
+    scaled_motions = {
+        name: ScaledMotions(synthetic_suite(name, motions, seed)) for name in ("crustal", "near-fault")
+    }
     for (row, test), (shaking, (family, above)) in product(enumerate(TESTS), enumerate(SHAKINGS.values())):
         preset = FURNITURE[test.piece]
         body = Body(preset.width, preset.height, preset.mass)
-        floors = hazards[family].at(test.intensity + above)
+        floors = scaled_motions[family].at(test.intensity + above)
         for column, gap in enumerate(GAPS.values()):
             wall = None if gap is None else Wall(gap)
             room = Room(Floor.of("wood flooring"), left_wall=wall, ceiling=Ceiling(2.4))

@@ -21,9 +21,9 @@ from stayput.measures import GelMats, TensionPole, WedgeStopper
 from stayput.model.body import Body
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Ceiling, Floor, Room, Wall
-from stayput.montecarlo.hazard import FloorMotions
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of
+from stayput.montecarlo.scaled_motions import FloorMotions
 from stayput.motion.synthetic import near_fault
 from stayput.report.palette import ALARM, INK
 from stayput.scenario.measures import Option

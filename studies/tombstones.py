@@ -20,8 +20,8 @@ from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
 from stayput.model.body import Body
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Floor, Room
-from stayput.montecarlo.hazard import factors_to_level_zero
 from stayput.montecarlo.sampling import draws, rows_of
+from stayput.montecarlo.scaled_motions import factors_to_level_zero
 from stayput.motion.suites.synthesis import synthetic_suite
 from stayput.report.palette import ALARM, INK, MUTED
 from stayput.simulation.case import simulate

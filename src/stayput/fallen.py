@@ -23,9 +23,9 @@ from stayput.errors import InputError, instance_of, list_of, not_allowed, number
 from stayput.model.body import Body
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import Room
-from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_levels
 from stayput.montecarlo.sampling import draws, rows_of
+from stayput.montecarlo.scaled_motions import ScaledMotions
 from stayput.motion.floors import of_the_ground
 from stayput.motion.suites.families import SEED_RANGE
 from stayput.motion.suites.suite import Suite
@@ -208,8 +208,8 @@ def intensity_from_fallen(
         of_the_ground(motion, "here")
     drawn = draws(len(suite), count, number)
     cases = [rows_of(kind.body, kind.room, (), drawn, STANDARD_GRAVITY) for kind in kinds]
-    hazard = Hazard(suite, vertical=vertical)
-    falls, _ = run_levels(cases, rows, cache(partial(hazard.at, threads=threads)), threads=threads)
+    scaled_motions = ScaledMotions(suite, vertical=vertical)
+    falls, _ = run_levels(cases, rows, cache(partial(scaled_motions.at, threads=threads)), threads=threads)
     fell = np.array([(kind.overturned & ~kind.missing).sum(axis=2) for kind in falls], np.float64)
     runs = np.array([(~kind.missing).sum(axis=2) for kind in falls], np.float64)
     return estimate_from_counts(

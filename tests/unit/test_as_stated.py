@@ -12,7 +12,6 @@ from stayput.model.body import Body
 from stayput.model.flat_fields import case_columns
 from stayput.model.room import LOCKED_CASTER, SURFACES, Floor, Room, Wall
 from stayput.model.state import State
-from stayput.montecarlo.hazard import FloorMotions
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import (
     AS_STATED,
@@ -24,6 +23,7 @@ from stayput.montecarlo.sampling import (
     draws,
     rows_of,
 )
+from stayput.montecarlo.scaled_motions import FloorMotions
 from stayput.simulation.space import trace_together
 from stayput.simulation.space_engine import SpaceShaking
 from stayput.uncertainty import USUAL

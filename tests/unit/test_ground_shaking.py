@@ -23,7 +23,7 @@ from stayput.fragility.intensity_measures import (
     spectral_acceleration,
 )
 from stayput.montecarlo.counting import Member
-from stayput.montecarlo.hazard import Ground, Hazard
+from stayput.montecarlo.scaled_motions import ScaledMotions
 from stayput.motion.ground_shaking import (
     EarthquakeSource,
     horizontal_peak,
@@ -129,8 +129,8 @@ def test_the_strengths_of_the_motions_have_the_stated_middle_and_scatter() -> No
 
 
 def test_a_stated_intensity_is_to_the_bit_what_a_level_of_a_curve_is() -> None:
-    hazard = Hazard(scenario(intensity=5.9).ground())
-    stated, level = hazard.stated(strength_of_intensity(5.9), None, 1), hazard.at(5.9)
+    scaled_motions = ScaledMotions(scenario(intensity=5.9).ground())
+    stated, level = scaled_motions.stated(strength_of_intensity(5.9), None, 1), scaled_motions.at(5.9)
     assert np.array_equal(stated.scales, level.scales)
 
 
@@ -191,7 +191,7 @@ def test_every_option_meets_the_same_strengths_and_a_replay_has_its_own() -> Non
     wanted = scenario(mmi=8.0, suite={"count": 6})
     verdict = verify(wanted, levels=[], progress=False)
     ground = wanted.ground()
-    floors = Hazard(ground).stated(wanted.shaking.strength, None, verdict.seed)
+    floors = ScaledMotions(ground).stated(wanted.shaking.strength, None, verdict.seed)
     assert float(np.std(np.log10(floors.scales))) == pytest.approx(0.38)
     for number in range(6):
         assert floor_motion(wanted, Member(number, 0))[1] == floors.scales[number]
@@ -238,8 +238,8 @@ def test_a_still_motion_has_no_peak_to_scale_to(tmp_path: Path) -> None:
 
 def test_the_inventorys_ground_is_scaled_alike() -> None:
     wanted = scenario(earthquake=QUAKE, suite={"count": 6})
-    ground = Ground(wanted.ground())
-    factors = ground.stated(wanted.shaking.strength, None, 3)
+    ground = ScaledMotions(wanted.ground())
+    factors = ground.stated_factors(wanted.shaking.strength, None, 3)
     peaks = [
         horizontal_peak(motion.scaled(float(k)), "PGV")
         for motion, k in zip(wanted.ground(), factors, strict=True)

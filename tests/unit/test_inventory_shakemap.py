@@ -20,7 +20,7 @@ from stayput.inventory import assess
 from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.shakemap import GroundLevel, unwrapped
 from stayput.inventory.shakemap_files import read_shakemap
-from stayput.montecarlo.hazard import Ground, factors_to_level_zero
+from stayput.montecarlo.scaled_motions import ScaledMotions, factors_to_level_zero
 from stayput.motion.ground_shaking import MERCALLI_SCATTER, horizontal_peak
 from stayput.motion.intensity import pgv_of_mercalli
 
@@ -393,7 +393,7 @@ def test_motions_have_the_strength_of_the_map(tmp_path, field):
         field[:3].strip("_"),
         read_shakemap(shakemap).measure,
     )
-    ground = Ground(suite, measure=measure)
+    ground = ScaledMotions(suite, measure=measure)
     unit = {"sa": 1.0, "pga": G, "pgv": 100.0}[name]  # of the results: g, m/s², cm/s
     for row, wanted in zip(rows_of_results(done), (0.1, 0.4), strict=True):
         assert row[name] == pytest.approx(wanted * unit, rel=0.03)

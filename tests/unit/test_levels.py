@@ -16,9 +16,9 @@ from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.state import State
 from stayput.montecarlo import runs as module
 from stayput.montecarlo.counting import Outcomes
-from stayput.montecarlo.hazard import FloorMotions
 from stayput.montecarlo.runs import run_levels, settled_levels
 from stayput.montecarlo.sampling import Rows
+from stayput.montecarlo.scaled_motions import FloorMotions
 from stayput.scenario import Scenario
 from stayput.verification import verify
 

@@ -10,9 +10,9 @@ import pytest
 import stayput as sp
 from stayput.fragility.intensity_measures import JMA_INTENSITY, PGA
 from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED, Member, Quantiles, worst_of
-from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import Runs
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws, rows_of
+from stayput.montecarlo.scaled_motions import ScaledMotions
 from stayput.scenario import Scenario
 from stayput.verification import verify
 from stayput.verification.contest import drawn_run
@@ -191,14 +191,14 @@ def test_the_ground_has_the_level_and_the_floor_follows(building):
     if building:
         keys |= {"building": building, "storey": 5}
     shaking = scenario(shaking=keys).shaking
-    hazard = Hazard(shaking.ground(Path()), shaking.building, shaking.storey or 1)
-    floors = hazard.at(5.5)
+    scaled_motions = ScaledMotions(shaking.ground(Path()), shaking.building, shaking.storey or 1)
+    floors = scaled_motions.at(5.5)
     assert floors.measures[JMA_INTENSITY] == pytest.approx(np.full(3, 5.5), abs=1e-12)
     wanted = scenario(shaking={**keys, "intensity": 5.5}).shaking.motions(Path())
     for number in range(3):
         x = floors.scales[number] * floors.motions[number].x
         assert x == pytest.approx(wanted[number].x, rel=1e-9, abs=1e-9)
-    assert floors.measures[PGA] == pytest.approx([m.to_intensity(5.5).pga for m in hazard.ground])
+    assert floors.measures[PGA] == pytest.approx([m.to_intensity(5.5).pga for m in scaled_motions.ground])
 
 
 def test_peaks_are_of_the_larger_component_that_acts_and_nothing_where_none_does():
@@ -207,9 +207,9 @@ def test_peaks_are_of_the_larger_component_that_acts_and_nothing_where_none_does
     across = sp.Motion(0.01, small, y=large, z=small)
     upward = sp.Motion(0.01, 0.0 * small, z=large)
     for dimensions, pga in ((3, 3.0), (2, 1.0)):
-        floors = Hazard(sp.Suite((across,)), dimensions=dimensions).at(4.0)
+        floors = ScaledMotions(sp.Suite((across,)), dimensions=dimensions).at(4.0)
         assert floors.measures[PGA] == pytest.approx(pga * floors.scales)
-    assert Hazard(sp.Suite((upward,))).at(4.0).measures[PGA] == [0.0]
+    assert ScaledMotions(sp.Suite((upward,))).at(4.0).measures[PGA] == [0.0]
 
 
 def test_usual_measures_are_those_that_can_be_applied_here():

@@ -7,9 +7,9 @@ import pytest
 
 import stayput as sp
 from stayput.fallen import _kernel, estimate_from_counts
-from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_levels
 from stayput.montecarlo.sampling import draws, rows_of
+from stayput.montecarlo.scaled_motions import ScaledMotions
 
 STONES = (sp.Body(0.242, 0.605, 95.0), sp.Body(0.303, 0.76, 190.0))
 BASE = sp.Room(sp.Floor(0.6, 0.5))
@@ -21,9 +21,9 @@ MOTIONS, SAMPLES = 32, 12
 def runs() -> np.ndarray:
     """Return falls of both stones, shape (kinds, levels, motions), of `SAMPLES` runs each."""
     suite = sp.synthetic_suite("crustal", MOTIONS)
-    hazard, drawn = Hazard(suite), draws(MOTIONS, SAMPLES, 1)
+    scaled_motions, drawn = ScaledMotions(suite), draws(MOTIONS, SAMPLES, 1)
     rows = [rows_of(stone, BASE, (), drawn, 9.80665) for stone in STONES]
-    falls, _ = run_levels(rows, LEVELS, hazard.at, threads=1)
+    falls, _ = run_levels(rows, LEVELS, scaled_motions.at, threads=1)
     return np.array([kind.overturned.sum(axis=2) for kind in falls], float)
 
 

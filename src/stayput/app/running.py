@@ -18,7 +18,7 @@ from stayput.errors import InputError
 from stayput.mechanics.columns import ROCKING_TILT
 from stayput.model.room import WALLS_AROUND
 from stayput.montecarlo.counting import Member
-from stayput.montecarlo.hazard import Ground
+from stayput.montecarlo.scaled_motions import ScaledMotions
 from stayput.motion.intensity import intensity_class, published_intensity
 from stayput.report.film.scene import TIME_DIGITS, ground_displacement, posed, scene_of
 from stayput.report.film.shape import rounded
@@ -365,10 +365,10 @@ def shaking_reply(scenario: Scenario) -> ShakingReply:
     RefusedError
         A motion that is still.
     """
-    ground = Ground(scenario.ground())
+    motions = ScaledMotions(scenario.ground())
     shaking, strength = scenario.shaking, scenario.shaking.strength
-    factors = ground.stated(strength, shaking.scale, scenario.uncertainty.seed)
-    intensities = ground.intensities(factors)
+    factors = motions.stated_factors(strength, shaking.scale, scenario.uncertainty.seed)
+    intensities = motions.intensities(factors)
     if not np.isfinite(intensities).all():
         raise refused(422, "motion.still_floor", "scene.shaking")
     middle, deviation = float(np.median(intensities)), float(np.std(intensities))
@@ -376,8 +376,8 @@ def shaking_reply(scenario: Scenario) -> ShakingReply:
     return ShakingReply(
         intensity=middle,
         deviation=deviation,
-        intensity_class=None if ground.motions.floor else intensity_class(middle),
-        sentence=Words.of(_sentence(middle, deviation, ground.motions.floor)),
+        intensity_class=None if motions.ground.floor else intensity_class(middle),
+        sentence=Words.of(_sentence(middle, deviation, motions.ground.floor)),
         about=None if text is None else Words.of(text),
     )
 

@@ -41,7 +41,7 @@ class GroundLevel(NamedTuple):
     Parameters
     ----------
     level : float
-        The median level; see `stayput.montecarlo.hazard`.
+        The median level; see `stayput.montecarlo.scaled_motions`.
     scatter : float
         Its standard deviation.
     """
@@ -96,8 +96,8 @@ class ShakeMap:
     lats, lons : ndarray
         Of a grid its latitudes and longitudes, both increasing; else of each place [°].
     levels : ndarray
-        Its levels (see `stayput.montecarlo.hazard`); shape (lats, lons) on a grid, else (places,). NaN where
-        the map says nothing.
+        Its levels (see `stayput.montecarlo.scaled_motions`); shape (lats, lons) on a grid, else (places,).
+        NaN where the map says nothing.
     scatters : ndarray, optional
         Their standard deviations, of the same shape, NaN where the map says nothing; none where they are
         not known.

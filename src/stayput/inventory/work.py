@@ -24,9 +24,9 @@ from stayput.inventory.results import GROUND
 from stayput.inventory.shakemap import GroundLevel
 from stayput.inventory.store import OutcomeStore, Store, ground_of, record_type
 from stayput.montecarlo.counting import OVERTURNED, Outcomes, Quantiles
-from stayput.montecarlo.hazard import Ground, PreparedFloor
 from stayput.montecarlo.runs import run_prepared
 from stayput.montecarlo.sampling import DrawTable, Rows, Settings, draws, rows_of, sample_until_precise
+from stayput.montecarlo.scaled_motions import PreparedFloor, ScaledMotions
 from stayput.saved import from_text
 from stayput.verification.contents import first_draws, share_out, spilt_under
 
@@ -180,7 +180,7 @@ class TaskOutcome:
 
 
 def prepared_floors(
-    shared: Shared[Ground],
+    shared: Shared[ScaledMotions],
     building: BuildingTable | None,
     storeys: tuple[int, ...],
     factors: NDArray[np.float64],
@@ -233,7 +233,7 @@ class Work:
         self.kind = record_type(motions, samples)
         self.outcomes = OutcomeStore(folder / OUTCOMES, self.kind, store.facts()["units"])
         self.done = self.outcomes.done
-        self.grounds: dict[int, Ground] = {}
+        self.grounds: dict[int, ScaledMotions] = {}
         self.options = store.option_specs()
         runs = motions * samples
         self.guesses = {option: runs * FIRST_GUESS["{" in spec] for option, spec in self.options.items()}
@@ -251,12 +251,12 @@ class Work:
         """Units that are not done."""
         return int(len(self.done) - np.count_nonzero(self.done))
 
-    def ground(self, station: int) -> Ground:
+    def ground(self, station: int) -> ScaledMotions:
         """Return the motions of a scenario."""
         if station not in self.grounds:
             file = self.scenarios.all[station]
             vertical = bool(file.scenario.shaking.vertical)
-            ground = Ground(file.ground, vertical, self.scenarios.measure)
+            ground = ScaledMotions(file.ground, vertical=vertical, measure=self.scenarios.measure)
             _ = ground.to_jma_zero  # the intensity is reported in any case: refuse a still motion now
             self.grounds[station] = ground
         return self.grounds[station]
@@ -265,7 +265,7 @@ class Work:
         """Return the factors of a scenario's motions: to the strength that it states, or to a map's level."""
         shaking, seed = self.scenarios.all[station].scenario.shaking, self.settings[station].seed
         if level is None:
-            return self.ground(station).stated(shaking.strength, shaking.scale, seed)
+            return self.ground(station).stated_factors(shaking.strength, shaking.scale, seed)
         return self.ground(station).factors(level.level, level.scatter, seed)
 
     def _strengths_of(self, scenario: str, level: float | None) -> dict[str, float | None]:
@@ -287,13 +287,13 @@ class Work:
 
         The motions of the ground and of a building's floors are made once in each process.
         """
-        grounds: dict[int, Shared[Ground]] = {}
+        grounds: dict[int, Shared[ScaledMotions]] = {}
         for spec, sites in self.store.grounds():
             station, level, building = ground_of(spec)
             ground, factors = self.ground(station), self._factors(station, level)
             if station not in grounds:
                 grounds[station] = Shared(_itself, ground)
-            size = SAMPLE_BYTES * sum(len(motion.x) for motion in ground.motions)
+            size = SAMPLE_BYTES * sum(len(motion.x) for motion in ground.ground)
             at_a_time = max(1, self.floor_memory // size)
             for start in range(0, len(sites), at_a_time):
                 batch = sites[start : start + at_a_time]
@@ -352,5 +352,5 @@ class Work:
         advance(len(fresh))
 
 
-def _itself(ground: Ground) -> Ground:
+def _itself(ground: ScaledMotions) -> ScaledMotions:
     return ground

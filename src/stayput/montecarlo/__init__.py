@@ -1,1 +1,1 @@
-"""Monte Carlo core of verifications, inventories and the app's size map: draws, hazard, runs and counts."""
+"""Monte Carlo core of verifications, inventories and the app's size map: draws, motions, runs and counts."""

@@ -22,8 +22,8 @@ from stayput.montecarlo.counting import Outcomes
 from stayput.simulation.many import run_columns, run_rows
 
 if TYPE_CHECKING:
-    from stayput.montecarlo.hazard import FloorMotions, PreparedFloor
     from stayput.montecarlo.sampling import Rows
+    from stayput.montecarlo.scaled_motions import FloorMotions, PreparedFloor
 
 
 @dataclass(frozen=True, slots=True, eq=False)

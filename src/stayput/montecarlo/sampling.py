@@ -1,7 +1,7 @@
 """Monte Carlo samples: draws of the uncertain quantities, the cases they make, and their number.
 
-The same draws serve every set of measures and every hazard level (common random numbers), so that differences
-between measures are not blurred by chance.
+The same draws serve every set of measures and every level of shaking (common random numbers), so that
+differences between measures are not blurred by chance.
 """
 
 from __future__ import annotations

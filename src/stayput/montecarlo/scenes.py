@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.model.floor_plan import FloorPlan
     from stayput.model.state import State
-    from stayput.montecarlo.hazard import FloorMotions
+    from stayput.montecarlo.scaled_motions import FloorMotions
     from stayput.motion.record import Motion
     from stayput.simulation.run import Run
     from stayput.simulation.scene import Scene

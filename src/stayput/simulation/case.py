@@ -6,7 +6,7 @@ import math
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field, fields, replace
-from typing import TYPE_CHECKING, overload
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -133,24 +133,6 @@ def needs_space(body: Body, room: Room, *, across: bool, held: bool) -> bool:
     return body.length is not None and (across or held or room.has_side_walls)
 
 
-@overload
-def simulate(
-    body: Scene, room: Motion, /, *, gravity: float = STANDARD_GRAVITY, step: float | None = None
-) -> Run: ...
-@overload
-def simulate(
-    body: Body | Piece,
-    room: Room,
-    motion: Motion,
-    measures: Sequence[Measure] = (),
-    *,
-    dimensions: Dimensions | None = None,
-    contact: Contact = "coulomb",
-    initial: State | None = None,
-    gravity: float = STANDARD_GRAVITY,
-    most_events: int | None = None,
-    step: float | None = None,
-) -> Run: ...
 def simulate(
     body: Body | Piece | Scene,
     room: Room | Motion,

@@ -21,8 +21,8 @@ from stayput.fragility.trials import Trials
 from stayput.measures.element import weakest
 from stayput.mechanics.devices.columns import HOLDS
 from stayput.montecarlo.counting import Outcomes, Quantiles, worst_of
-from stayput.montecarlo.hazard import FloorMotions, Hazard
 from stayput.montecarlo.sampling import FIRST_SAMPLES, Settings, sample_until_precise
+from stayput.montecarlo.scaled_motions import FloorMotions, ScaledMotions
 from stayput.motion.intensity import INTENSITY_RANGE
 from stayput.progress import tally
 from stayput.simulation.placing import JOINT
@@ -72,12 +72,12 @@ def compare(
     rows = _levels(scenario, levels, further)
     options, impossible = compared_options(scenario)
     search = changes and scenario.plan is not None and not scenario.options
-    hazard = Hazard.of(scenario, tuple(further))
+    scaled_motions = ScaledMotions.of(scenario, tuple(further))
     faulty = _badly_installed(options, scenario)
-    runs_each = len(hazard.ground) * Settings.of(scenario, len(hazard.ground), limit).samples
+    runs_each = len(scaled_motions.ground) * Settings.of(scenario, len(scaled_motions.ground), limit).samples
     total = runs_each * (len(options) * (1 + len(rows)) + len(faulty))
     with tally(total, "progress.verifying", progress, on_progress) as count:
-        contest = Contest(scenario, limit, threads, hazard=hazard, advance=count)
+        contest = Contest(scenario, limit, threads, scaled_motions=scaled_motions, advance=count)
         floors, settings = contest.floors, contest.settings
         estimates = Estimates.of(scenario.piece.body(), floors, scenario, threads) if scenario.alone else None
 
@@ -139,7 +139,7 @@ def compare(
         more["inside"] = contents_verdicts(contest, options)
         made = 0
         if len(rows):
-            floors_at = cache(partial(hazard.at, threads=threads))
+            floors_at = cache(partial(scaled_motions.at, threads=threads))
             more["falls"], made = contest.falls(options, here, rows, floors_at, every_run=every_run)
             more["measures"] = [floors_at(float(level)) for level in rows]
         if more["inside"] or faulty or len(rows):

@@ -17,9 +17,9 @@ from stayput.errors import InputError
 from stayput.execution import Pool
 from stayput.fragility.paired import Difference, difference
 from stayput.fragility.probabilities import Probability, probability, probability_of_counts
-from stayput.montecarlo.hazard import PreparedFloor
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import DrawTable, Rows, draws, rows_of
+from stayput.montecarlo.scaled_motions import PreparedFloor
 from stayput.montecarlo.scenes import trace_draw
 from stayput.uncertainty import QUANTITIES, Uncertainty
 

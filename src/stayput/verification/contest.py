@@ -12,9 +12,9 @@ from stayput.measures import Element, hold
 from stayput.measures.element import device_results
 from stayput.mechanics.runner import shaking, trace
 from stayput.model.flat_fields import case_columns
-from stayput.montecarlo.hazard import FloorMotions, Hazard
 from stayput.montecarlo.runs import Falls, Runs, run_level, run_levels, settled_levels
 from stayput.montecarlo.sampling import Rows, Settings, drawn_held, draws, rows_of
+from stayput.montecarlo.scaled_motions import FloorMotions, ScaledMotions
 from stayput.montecarlo.scene_draws import draws_of_scenario
 from stayput.montecarlo.scenes import KnownRuns, SceneRunner, replay
 from stayput.motion.suites.suite import Suite
@@ -52,10 +52,10 @@ def floor_motion(scenario: Scenario, member: Member) -> tuple[Motion, float]:
         Which of its motions.
     """
     shaken, ground, seed = scenario.shaking, scenario.ground(), scenario.uncertainty.seed
-    hazard = Hazard.of(scenario, ground=Suite((ground[member.motion],)))
+    alone = ScaledMotions.of(scenario, ground=Suite((ground[member.motion],)))
     strength = shaken.strength
     drawn = None if strength is None else strength.drawn(len(ground), seed)[member.motion]
-    floors = hazard.stated(drawn, shaken.scale, seed)
+    floors = alone.stated(drawn, shaken.scale, seed)
     return floors.motions[0], float(floors.scales[0])
 
 
@@ -122,7 +122,7 @@ class Contest:
         Slide that counts as too far [m].
     threads : int, optional
         As many as there are cores by default. The bits do not depend on them.
-    hazard : Hazard, optional
+    scaled_motions : ScaledMotions, optional
         The motions at any level; those of the scenario by default.
     times : float
         A factor on the shaking that the scenario states.
@@ -143,13 +143,13 @@ class Contest:
         slide_limit: float,
         threads: int | None,
         *,
-        hazard: Hazard | None = None,
+        scaled_motions: ScaledMotions | None = None,
         times: float = 1.0,
         advance: Callable[[int], None] = lambda _runs: None,
     ) -> None:
         self.scenario, self.threads, self.advance = scenario, threads, advance
-        self.hazard = Hazard.of(scenario) if hazard is None else hazard
-        self.floors = self.hazard.stated_by(scenario, threads, times)
+        self.scaled_motions = scaled_motions or ScaledMotions.of(scenario)
+        self.floors = self.scaled_motions.stated_by(scenario, threads, times)
         self.settings = Settings.of(scenario, len(self.floors.motions), slide_limit)
         self.watcher = None if scenario.plan is None else Watcher()
         self._last: tuple[object, list[Rows]] = None, []

@@ -28,7 +28,7 @@ from stayput.wording import FAR, joined
 
 if TYPE_CHECKING:
     from stayput.model.body import Body
-    from stayput.montecarlo.hazard import FloorMotions
+    from stayput.montecarlo.scaled_motions import FloorMotions
     from stayput.scenario import Scenario
     from stayput.scenario.measures import Option
     from stayput.verification.verdict import Verdict

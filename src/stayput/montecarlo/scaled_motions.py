@@ -1,4 +1,4 @@
-"""Hazard levels: motions of the ground scaled to an intensity, and the floor motions under the furniture.
+"""Motions of the ground scaled to levels, and the floor motions under the furniture.
 
 A level says how strong the ground shakes: a JMA intensity, or the common logarithm of a spectral
 acceleration [g] or of a peak [m/s², m/s], to which each motion is scaled. A scenario may also state a peak,
@@ -61,124 +61,6 @@ def factors_to_level_zero(measure: IntensityMeasure, motions: Iterable[Motion]) 
     return np.array([STANDARD_GRAVITY / horizontal_sa(motion, period) for motion in motions])
 
 
-@dataclass(frozen=True, eq=False)
-class Ground:
-    """The motions of the ground, with their factors to a level.
-
-    Parameters
-    ----------
-    motions : Suite
-        The motions.
-    vertical : bool
-        Whether the vertical motion acts on the furniture. The intensity counts it in any case.
-    measure : IntensityMeasure
-        What levels are of: JMA's intensity, a spectral acceleration, PGA or PGV.
-    dimensions : int
-        3 where the motion across acts too.
-    """
-
-    motions: Suite
-    vertical: bool = True
-    measure: IntensityMeasure = JMA_INTENSITY
-    dimensions: int = 2
-
-    @cached_property
-    def to_jma_zero(self) -> NDArray[np.float64]:
-        """Factors that bring the motions to JMA intensity 0, shape (motions,)."""
-        return factors_to_level_zero(JMA_INTENSITY, self.motions)
-
-    @cached_property
-    def to_zero(self) -> NDArray[np.float64]:
-        """Factors that bring the motions to level 0, shape (motions,)."""
-        if self.measure == JMA_INTENSITY:
-            return self.to_jma_zero
-        return factors_to_level_zero(self.measure, self.motions)
-
-    @cached_property
-    def acting(self) -> tuple[Motion, ...]:
-        """The motions without the components that do not act on the furniture."""
-        return tuple(
-            replace(
-                motion, y=motion.y if self.dimensions == 3 else None, z=motion.z if self.vertical else None
-            )
-            for motion in self.motions
-        )
-
-    def factors(self, level: float, scatter: float = 0.0, seed: int = 0) -> NDArray[np.float64]:
-        """Return the factors to a level, or to levels out of its scatter (see `GroundStrength.drawn`).
-
-        Parameters
-        ----------
-        level : float
-            The median level.
-        scatter : float
-            Its standard deviation.
-        seed : int
-            Seed by which the motions have their levels out of the scatter.
-        """
-        if scatter == 0.0:
-            return 10.0 ** (level / growth(self.measure)) * self.to_zero
-        each = GroundStrength("JMA", level, scatter).drawn(len(self.motions), seed)
-        return np.array([10.0 ** (ground.level / growth(self.measure)) for ground in each]) * self.to_zero
-
-    def stated(self, strength: GroundStrength | None, scale: float | None, seed: int) -> NDArray[np.float64]:
-        """Return the factors to what a scenario states: a strength with its scatter, or a factor (default 1).
-
-        Parameters
-        ----------
-        strength : GroundStrength, optional
-            The strength. To a peak, the motions have one of 1 (see `stayput.scenario.shaking`).
-        scale : float, optional
-            The factor, where there is no strength.
-        seed : int
-            Seed by which the motions have their strengths out of the scatter.
-        """
-        if strength is None:
-            return np.full(len(self.motions), 1.0 if scale is None else scale)
-        each = strength.drawn(len(self.motions), seed)
-        if strength.measure == "JMA":
-            steps = np.array([10.0 ** (ground.level / growth(JMA_INTENSITY)) for ground in each])
-            return steps * self.to_jma_zero
-        return np.array([ground.median for ground in each])
-
-    def intensities(self, factors: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the JMA intensities of the motions times factors."""
-        return 2.0 * np.log10(np.abs(factors) / self.to_jma_zero)
-
-    def median_intensity(self, factors: NDArray[np.float64]) -> float:
-        """Return the median JMA intensity of the motions times factors."""
-        return float(np.median(self.intensities(factors)))
-
-    def floors(
-        self,
-        building: BuildingTable | None,
-        storeys: Sequence[int],
-        factors: NDArray[np.float64],
-        threads: int | None = None,
-    ) -> tuple[list[tuple[Motion, ...]], NDArray[np.float64]]:
-        """Return the motions under the furniture of each storey, and the factors on them.
-
-        Parameters
-        ----------
-        building : BuildingTable, optional
-            The building, which is computed once for all its storeys; none on the ground.
-        storeys : sequence of int
-            The storeys; anything without a building.
-        factors : ndarray, shape (motions,)
-            Factors on the ground's motions.
-        threads : int, optional
-            As many as there are cores by default. The bits do not depend on them.
-        """
-        acting = self.acting
-        if building is None:
-            return [acting for _ in storeys], factors
-        if building.yields:
-            acting = tuple(motion.scaled(float(k)) for motion, k in zip(acting, factors, strict=True))
-            factors = np.ones(len(factors))
-        by_motion = building.building().floor_motions(acting, list(storeys), threads=threads)
-        return list(zip(*by_motion, strict=True)), factors
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class PreparedFloor:
     """The motions under the furniture of one storey as the kernels read them, and the factors on them."""
@@ -221,8 +103,8 @@ class FloorMotions:
 
 
 @dataclass(frozen=True, eq=False)
-class Hazard:
-    """The motions of the ground, and the building between them and a piece on one of its storeys.
+class ScaledMotions:
+    """Motions of the ground that are scaled to levels, and those of a floor of the building above them.
 
     Parameters
     ----------
@@ -239,6 +121,8 @@ class Hazard:
     further : tuple of IntensityMeasure
         Measures that are wanted beside the usual ones: modified Mercalli intensity, or spectral accelerations
         of the ground.
+    measure : IntensityMeasure
+        What levels are of: JMA's intensity, a spectral acceleration, PGA or PGV.
     """
 
     ground: Suite
@@ -247,30 +131,121 @@ class Hazard:
     vertical: bool = True
     dimensions: int = 2
     further: tuple[IntensityMeasure, ...] = ()
+    measure: IntensityMeasure = JMA_INTENSITY
 
     @classmethod
     def of(
         cls, scenario: Scenario, further: tuple[IntensityMeasure, ...] = (), ground: Suite | None = None
-    ) -> Hazard:
+    ) -> ScaledMotions:
         """Return that of a scenario, or with other motions of the ground in the place of its own."""
         shaking, motions = scenario.shaking, scenario.ground() if ground is None else ground
         place = shaking.building, shaking.storey or 1
         return cls(motions, *place, bool(shaking.vertical), scenario.dimensions, further)
 
     @cached_property
-    def _scaled(self) -> Ground:
-        return Ground(self.ground, self.vertical, dimensions=self.dimensions)
+    def to_jma_zero(self) -> NDArray[np.float64]:
+        """Factors that bring the motions to JMA intensity 0, shape (motions,)."""
+        return factors_to_level_zero(JMA_INTENSITY, self.ground)
+
+    @cached_property
+    def to_zero(self) -> NDArray[np.float64]:
+        """Factors that bring the motions to level 0, shape (motions,)."""
+        if self.measure == JMA_INTENSITY:
+            return self.to_jma_zero
+        return factors_to_level_zero(self.measure, self.ground)
+
+    @cached_property
+    def acting(self) -> tuple[Motion, ...]:
+        """The motions without the components that do not act on the furniture."""
+        return tuple(
+            replace(
+                motion, y=motion.y if self.dimensions == 3 else None, z=motion.z if self.vertical else None
+            )
+            for motion in self.ground
+        )
+
+    def factors(self, level: float, scatter: float = 0.0, seed: int = 0) -> NDArray[np.float64]:
+        """Return the factors to a level, or to levels out of its scatter (see `GroundStrength.drawn`).
+
+        Parameters
+        ----------
+        level : float
+            The median level.
+        scatter : float
+            Its standard deviation.
+        seed : int
+            Seed by which the motions have their levels out of the scatter.
+        """
+        each = GroundStrength("JMA", level, scatter).drawn(len(self.ground), seed)
+        return np.array([10.0 ** (ground.level / growth(self.measure)) for ground in each]) * self.to_zero
+
+    def stated_factors(
+        self, strength: GroundStrength | None, scale: float | None, seed: int
+    ) -> NDArray[np.float64]:
+        """Return the factors to what a scenario states: a strength with its scatter, or a factor (default 1).
+
+        Parameters
+        ----------
+        strength : GroundStrength, optional
+            The strength. To a peak, the motions have one of 1 (see `stayput.scenario.shaking`).
+        scale : float, optional
+            The factor, where there is no strength.
+        seed : int
+            Seed by which the motions have their strengths out of the scatter.
+        """
+        if strength is None:
+            return np.full(len(self.ground), 1.0 if scale is None else scale)
+        each = strength.drawn(len(self.ground), seed)
+        if strength.measure == "JMA":
+            steps = np.array([10.0 ** (ground.level / growth(JMA_INTENSITY)) for ground in each])
+            return steps * self.to_jma_zero
+        return np.array([ground.median for ground in each])
+
+    def intensities(self, factors: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the JMA intensities of the motions times factors."""
+        return 2.0 * np.log10(np.abs(factors) / self.to_jma_zero)
+
+    def median_intensity(self, factors: NDArray[np.float64]) -> float:
+        """Return the median JMA intensity of the motions times factors."""
+        return float(np.median(self.intensities(factors)))
+
+    def floors(
+        self,
+        building: BuildingTable | None,
+        storeys: Sequence[int],
+        factors: NDArray[np.float64],
+        threads: int | None = None,
+    ) -> tuple[list[tuple[Motion, ...]], NDArray[np.float64]]:
+        """Return the motions under the furniture of each storey, and the factors on them.
+
+        Parameters
+        ----------
+        building : BuildingTable, optional
+            The building, which is computed once for all its storeys; none on the ground.
+        storeys : sequence of int
+            The storeys; anything without a building.
+        factors : ndarray, shape (motions,)
+            Factors on the ground's motions.
+        threads : int, optional
+            As many as there are cores by default. The bits do not depend on them.
+        """
+        acting = self.acting
+        if building is None:
+            return [acting for _ in storeys], factors
+        if building.yields:
+            acting = tuple(motion.scaled(float(k)) for motion, k in zip(acting, factors, strict=True))
+            factors = np.ones(len(factors))
+        by_motion = building.building().floor_motions(acting, list(storeys), threads=threads)
+        return list(zip(*by_motion, strict=True)), factors
 
     @cached_property
     def _elastic(self) -> tuple[Motion, ...]:
         """The floor's motions where they scale with the ground's."""
-        if self.building is None:
-            return self._scaled.acting
-        return self._scaled.floors(self.building, (self.storey,), np.ones(len(self.ground)))[0][0]
+        return self.floors(self.building, (self.storey,), np.ones(len(self.ground)))[0][0]
 
     @cached_property
     def _ground_peaks(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        return _peaks(self._scaled.acting)
+        return _peaks(self.acting)
 
     @cached_property
     def _elastic_peaks(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -291,7 +266,7 @@ class Hazard:
         InputError
             A still motion.
         """
-        return self._with(self._scaled.factors(intensity), threads)
+        return self._with(self.factors(intensity), threads)
 
     def stated(
         self,
@@ -301,8 +276,8 @@ class Hazard:
         threads: int | None = None,
         times: float = 1.0,
     ) -> FloorMotions:
-        """Return the motions at so many times the shaking that a scenario states; see `Ground.stated`."""
-        return self._with(times * self._scaled.stated(strength, scale, seed), threads)
+        """Return the motions at so many times the shaking that a scenario states; see `stated_factors`."""
+        return self._with(times * self.stated_factors(strength, scale, seed), threads)
 
     def stated_by(self, scenario: Scenario, threads: int | None = None, times: float = 1.0) -> FloorMotions:
         """Return the same as a scenario states it, refused with its file's name."""
@@ -314,13 +289,12 @@ class Hazard:
 
     def _with(self, factors: NDArray[np.float64], threads: int | None) -> FloorMotions:
         if self.building is not None and self.building.yields:
-            floors, scales = self._scaled.floors(self.building, (self.storey,), factors, threads)
-            motions = floors[0]
+            (motions,), scales = self.floors(self.building, (self.storey,), factors, threads)
             pfa, pfv = _peaks(motions)
         else:
             motions, scales = self._elastic, factors
             pfa, pfv = self._elastic_peaks
-        measures = {JMA_INTENSITY: self._scaled.intensities(factors)}
+        measures = {JMA_INTENSITY: self.intensities(factors)}
         if not self.ground.floor:
             pga, pgv = self._ground_peaks
             measures |= {PGA: np.abs(factors) * pga, PGV: np.abs(factors) * pgv}
