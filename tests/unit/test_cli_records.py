@@ -10,7 +10,6 @@ import pytest
 from commands import cli
 
 import stayput as sp
-from stayput.motion.intensity import DisplacementPeak
 
 
 def at2(file: Path, direction: str, amplitude: float) -> Path:
@@ -80,8 +79,8 @@ def test_a_vertical_record_alone_is_warned_of(
 def test_a_record_with_an_offset_drifts_and_says_so(tmp_path: Path) -> None:
     still = sp.near_fault()
     off = sp.Motion(still.dt, still.x + 0.02)
-    assert not DisplacementPeak.of(still).drifts
-    assert DisplacementPeak.of(off).drifts
+    assert not still.peaks()["x"].displacement_drifts
+    assert off.peaks()["x"].displacement_drifts
     file = off.write(tmp_path / "off.csv")
     done = cli("motion", "info", file)
     assert done.stderr.startswith("Warning: The displacement of x drifts with the record's baseline")

@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.building.response import FloorResponse
-    from stayput.motion.intensity import DisplacementPeak
     from stayput.motion.record import Motion
     from stayput.motion.response import ResponseSpectrum
 
@@ -66,7 +65,7 @@ def _measures(motion: Motion) -> dict[str, Any]:
     )
     from stayput.report.summary import attributes, number
 
-    intensity, moved = motion.intensity, _displacements(motion)
+    intensity = motion.intensity
     response = long_period_response(motion.x, motion.y, motion.dt)
     parts = {name: (peaks, SpectralMeasures.of(motion, name)) for name, peaks in motion.peaks().items()}
     return {
@@ -81,9 +80,8 @@ def _measures(motion: Motion) -> dict[str, Any]:
         "floor": motion.floor or None,
         "components": {
             name: {
-                **attributes(peaks, "pga_m_s2", "pgv_m_s", "pgd_m"),
-                "pgd_baseline_corrected_m": moved[name].corrected,
-                "displacement_drifts": moved[name].drifts,
+                **attributes(peaks, "pga_m_s2", "pgv_m_s", "pgd_m", "pgd_baseline_corrected_m"),
+                "displacement_drifts": peaks.displacement_drifts,
                 **attributes(peaks, "arias_m_s", "cav_m_s", "significant_duration_s"),
                 **attributes(spectral, "housner_intensity_m", "spectrum_intensity_m_s"),
                 **attributes(spectral, "predominant_period_s", "mean_period_s"),
@@ -142,17 +140,11 @@ def _print_info(motion: Motion, lang: str) -> None:
     _warn_of_drift(motion)
 
 
-def _displacements(motion: Motion) -> dict[str, DisplacementPeak]:
-    from stayput.motion.intensity import DisplacementPeak
-
-    return {name: DisplacementPeak.of(motion, name) for name in motion.components}
-
-
 def _warn_of_drift(motion: Motion) -> None:
     """Warn of displacements that are those of the record's baseline and not of the ground."""
-    for name, peak in _displacements(motion).items():
-        if peak.drifts:
-            pgd, corrected = 100.0 * peak.pgd, 100.0 * peak.corrected
+    for name, peaks in motion.peaks().items():
+        if peaks.displacement_drifts:
+            pgd, corrected = 100.0 * peaks.pgd, 100.0 * peaks.pgd_baseline_corrected
             warn(InputWarning("motion.drifts", "motion", component=name, pgd=pgd, corrected=corrected))
 
 

@@ -131,12 +131,9 @@ def intensity_of_class(name: str) -> float:
         No such class.
     """
     names = [known for known, _ in CLASSES]
-    called = preset_meant("intensity", "motion.name_intensity", name, names, "intensity")
-    i = names.index(called)
-    if called == "0":
-        return 0.25
-    start = CLASSES[i][1]
-    return start + 0.25 if called == "7" else 0.5 * (start + CLASSES[i + 1][1])
+    i = names.index(preset_meant("intensity", "motion.name_intensity", name, names, "intensity"))
+    bounds = [0.0, *(start for _, start in CLASSES[1:]), 7.0]
+    return 0.5 * (bounds[i] + bounds[i + 1])
 
 
 def possible_intensity(value: float) -> float:
@@ -261,37 +258,6 @@ def pgv_of_mercalli(mercalli: float) -> float:
 
 HOUSNER_PERIODS = np.linspace(0.1, 2.5, 121)
 """Periods over which a spectrum intensity is taken [s]; steps of 0.02 s."""
-
-
-DRIFTING = 0.8
-"""A displacement drifts where its peak is below this share once a line is taken off the acceleration."""
-
-
-@dataclass(frozen=True, slots=True)
-class DisplacementPeak:
-    """Peak displacement of one component, and how far it is one of the record's baseline.
-
-    Parameters
-    ----------
-    pgd : float
-        Largest magnitude of the displacement of the record as it is [m].
-    corrected : float
-        The same of the record less a line, as `Motion.baseline_corrected` takes it off [m].
-    """
-
-    pgd: float
-    corrected: float
-
-    @property
-    def drifts(self) -> bool:
-        """Whether the peak is mostly one of the baseline: of an offset, a tilt, a start that is cut off."""
-        return self.corrected < DRIFTING * self.pgd
-
-    @classmethod
-    def of(cls, motion: Motion, component: str = "x") -> DisplacementPeak:
-        """Return the peak of one component of a motion."""
-        alone = motion.component(component)
-        return cls(alone.pgd, alone.baseline_corrected().pgd)
 
 
 @dataclass(frozen=True, slots=True)

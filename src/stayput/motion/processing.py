@@ -107,6 +107,10 @@ def significant_duration(a: NDArray[np.float64], dt: float) -> float:
     return time_of_share(a, dt, 0.95) - time_of_share(a, dt, 0.05)
 
 
+DRIFTING = 0.8
+"""A displacement drifts where its peak is below this share once a line is taken off the acceleration."""
+
+
 @dataclass(frozen=True, slots=True)
 class Peaks:
     """Peaks and integral measures of one component.
@@ -115,6 +119,9 @@ class Peaks:
     ----------
     pga, pgv, pgd : float
         Largest magnitude of acceleration [m/s²], velocity [m/s] and displacement [m].
+    pgd_baseline_corrected : float
+        That of the displacement less a line in the acceleration, as `Motion.baseline_corrected` takes it
+        off [m].
     arias : float
         Arias intensity [m/s].
     cav : float
@@ -126,6 +133,7 @@ class Peaks:
     pga: float
     pgv: float
     pgd: float
+    pgd_baseline_corrected: float
     arias: float
     cav: float
     significant_duration: float
@@ -137,10 +145,16 @@ class Peaks:
             pga=float(np.abs(a).max()),
             pgv=peak_velocity(a, dt),
             pgd=peak_displacement(a, dt),
+            pgd_baseline_corrected=peak_displacement(without_baseline(a, dt, 1), dt),
             arias=arias_intensity(a, dt),
             cav=magnitude(a, dt),
             significant_duration=significant_duration(a, dt),
         )
+
+    @property
+    def displacement_drifts(self) -> bool:
+        """Whether its peak is mostly one of the baseline: of an offset, a tilt, a start that is cut off."""
+        return self.pgd_baseline_corrected < DRIFTING * self.pgd
 
 
 STEP_RANGE = (1e-6, 1.0)
@@ -397,15 +411,12 @@ def check_baseline(motion: Motion, *, recorded: bool = False) -> None:
         warn(InputWarning("motion.long_step", "dt", dt=motion.dt, frequency=0.5 / motion.dt))
     option = "remove_mean" if recorded else "baseline_corrected"
     means = {name: float(a.mean()) for name, a in motion.components.items()}
-    total = math.hypot(*means.values())
-    alone = any(_is_gravity(mean) for mean in means.values())
-    if recorded and not alone and _is_gravity(total):  # of a tilted instrument
-        together = f"{', '.join(means)} together", f"{', '.join(means)}を合わせた"
-        raise InputError("motion.gravity", option, component=together, mean=total, option=option)
+    together = f"{', '.join(means)} together", f"{', '.join(means)}を合わせた"  # of a tilted instrument
+    for component, mean in (*means.items(), (together, math.hypot(*means.values()))):
+        if recorded and _is_gravity(mean):
+            raise InputError("motion.gravity", option, component=component, mean=mean, option=option)
     for name, a in motion.components.items():
         mean = means[name]
-        if recorded and _is_gravity(mean):
-            raise InputError("motion.gravity", option, component=name, mean=mean, option=option)
         if name == "z" and _is_gravity(mean):
             warn(InputWarning("motion.gravity", "z", component=name, mean=mean, option=option))
         elif oscillates_about_offset(a, motion.dt):

@@ -21,7 +21,6 @@ from stayput.catalogue import say
 from stayput.catalogue.names import EVENTS, MODES, OUTCOMES
 from stayput.errors import word_of
 from stayput.model.state import State, standing_corners, wall_faces
-from stayput.motion.intensity import DisplacementPeak
 from stayput.motion.record import Motion, MotionHistory
 from stayput.report.figures import (
     FONT,
@@ -281,7 +280,7 @@ def draw_motion(
     axis.plot(part.time, values, **looks)
     if "label" not in line:
         place = int(np.argmax(np.abs(values)))
-        if what == "displacement" and DisplacementPeak.of(part).drifts:
+        if what == "displacement" and part.peaks()["x"].displacement_drifts:
             label = say("plots.drifts", language)
         else:  # the peaks themselves lie between the samples
             label = f"{math.copysign(peak, values[place]):.3g} {unit}"
