@@ -7,11 +7,11 @@ order, article 88, and notification 1793 of 1980.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from numbers import Real
-from typing import TYPE_CHECKING, TypeVar, cast, overload
+from typing import TYPE_CHECKING, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +20,7 @@ from stayput.building.response import FloorPeaks, FloorResponse
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, list_of, not_allowed, whole_within, within, word_of
 from stayput.execution import Pool
-from stayput.model.parameters import parameter, parameter_of, quantity
+from stayput.model.parameters import parameter, parameters, quantity
 from stayput.motion.floors import of_the_ground
 from stayput.motion.processing import refine
 from stayput.motion.record import Motion
@@ -173,7 +173,7 @@ def storey_stiffnesses(masses: NDArray[np.float64], period: float) -> NDArray[np
     return shape * (2.0 * math.pi / period / omega) ** 2
 
 
-T = TypeVar("T")
+Shaken = TypeVar("Shaken", Motion, Suite)
 
 MOST_STOREYS = 200
 """Most masses that are accepted."""
@@ -230,11 +230,7 @@ class ShakenFloors:
             {name: component.energy for name, component in histories.items() if component.energy is not None},
         )
 
-    @overload
-    def floor_motion(self, motion: Motion, storey: int) -> Motion: ...
-    @overload
-    def floor_motion(self, motion: Suite, storey: int) -> Suite: ...
-    def floor_motion(self, motion: Motion | Suite, storey: int) -> Motion | Suite:
+    def floor_motion(self, motion: Shaken, storey: int) -> Shaken:
         """Return the motion of the floor on which the furniture of a storey stands; a suite's, as a suite.
 
         Parameters
@@ -244,11 +240,11 @@ class ShakenFloors:
         storey : int
             From 1; the roof is the number of storeys + 1.
         """
-        self.model.place(storey)
+        grounds = motion if isinstance(motion, Suite) else [motion]
+        floors = tuple(floor for (floor,) in self.floor_motions(grounds, (storey,)))
         if isinstance(motion, Suite):
-            floors = self.floor_motions(motion, (storey,))
-            return replace(motion, motions=tuple(floor for (floor,) in floors))
-        return self.model.floors_of(_ground(motion), (storey,))[0]
+            return replace(motion, motions=floors)
+        return floors[0]
 
     def floor_motions(
         self, motions: Iterable[Motion], storeys: Sequence[int], *, threads: int | None = None
@@ -269,7 +265,13 @@ class ShakenFloors:
         wanted, model = tuple(storeys), self.model
         for storey in wanted:
             model.place(storey)
-        return model.in_order((partial(model.floors_of, _ground(m), wanted) for m in motions), threads)
+
+        def floors() -> Iterator[tuple[Motion, ...]]:
+            _ = model.modes  # once, not in every thread
+            with Pool(threads) as pool:
+                yield from pool.in_order(partial(model.floors_of, _ground(m), wanted) for m in motions)
+
+        return floors()
 
     def floor_peaks(
         self, motions: Iterable[Motion], *, component: str = "x", threads: int | None = None
@@ -285,17 +287,16 @@ class ShakenFloors:
         threads : int, optional
             Threads; as many as there are cores by default. The bits do not depend on them.
         """
-        model = self.model
-        storeys = range(1, model.storeys + 2)
+        storeys = range(1, self.model.storeys + 2)
 
-        def peaks_of(motion: Motion) -> NDArray[np.float64]:
-            rows = motion.horizontal
-            word_of("motion.the_component", component, rows, "component")
-            return model.histories(rows[component], motion.dt, storeys).peaks()
+        def alone(motion: Motion) -> Motion:
+            word_of("motion.the_component", component, _ground(motion).horizontal, "component")
+            return motion.component(component)
 
-        pairs = list(model.in_order((partial(peaks_of, _ground(motion)) for motion in motions), threads))
-        peaks = np.array(pairs).reshape(-1, 2, len(storeys))
-        return FloorPeaks(np.array(storeys), peaks[:, 0], peaks[:, 1])
+        floors = self.floor_motions(map(alone, motions), storeys, threads=threads)
+        pairs = [[(floor.pga, floor.pgv) for floor in each] for each in floors]
+        peaks = np.array(pairs).reshape(-1, len(storeys), 2)
+        return FloorPeaks(np.array(storeys), peaks[..., 0], peaks[..., 1])
 
 
 @dataclass(frozen=True, repr=False)
@@ -366,27 +367,22 @@ class ShearModel(ShakenFloors):
 
     def __post_init__(self) -> None:
         instance_of("isolated", self.isolated, bool)
-        masses = self._row("masses", self.masses)
-        within("building.masses", len(masses), 1 + int(self.isolated), MOST_STOREYS, "", "masses")
-        self._row("stiffnesses", self.stiffnesses)
-        self._row("damping", self.damping)
-        self._row("post_yield", self.post_yield)
-        if self.yield_shears is not None:
-            self._row("yield_shears", self.yield_shears)
-        parameter_of(ShearModel, "vertical_amplification").check(self.vertical_amplification)
+        wanted = len(list_of("masses", self.masses))
+        within("building.masses", wanted, 1 + int(self.isolated), MOST_STOREYS, "", "masses")
+        for about in parameters(ShearModel):
+            name, value = about.name, getattr(self, about.name)
+            if name == "vertical_amplification":
+                about.check(value)
+            elif value is not None:  # one for each mass
+                number = isinstance(value, Real) and name != "masses"
+                values = (value,) * wanted if number else list_of(name, value)
+                if (count := len(values)) != wanted:
+                    raise InputError(
+                        "common.so_many_values", name, name=about.label, count=count, wanted=wanted
+                    )
+                object.__setattr__(self, name, tuple(map(about.check, values)))
         if not self.name:
-            object.__setattr__(self, "name", f"{len(masses)}-mass shear model")
-
-    def _row(self, field: str, value: float | Sequence[float]) -> tuple[float, ...]:
-        """Check a field, and set it to a tuple of floats, one for each mass."""
-        about, wanted = parameter_of(ShearModel, field), len(list_of("masses", self.masses))
-        number = isinstance(value, Real) and field != "masses"
-        values = (value,) * wanted if number else list_of(field, value)
-        if (count := len(values)) != wanted:
-            raise InputError("common.so_many_values", field, name=about.label, count=count, wanted=wanted)
-        row = tuple(about.check(value) for value in values)
-        object.__setattr__(self, field, row)
-        return row
+            object.__setattr__(self, "name", f"{wanted}-mass shear model")
 
     @property
     def storeys(self) -> int:
@@ -436,12 +432,6 @@ class ShearModel(ShakenFloors):
         # Storey 1 stands on the ground, −1, or above a layer of isolators on the lowest mass, 0.
         floors = [int(storey) - 2 + int(self.isolated) for storey in storeys]
         return component_response(self, a, dt, floors, drifts=drifts)
-
-    def in_order(self, calls: Iterable[Callable[[], T]], threads: int | None) -> Iterator[T]:
-        """Give what calls return, in their order, on several threads."""
-        _ = self.modes  # once, not in every thread
-        with Pool(threads) as pool:
-            yield from pool.in_order(calls)
 
     def floors_of(self, ground: Motion, storeys: Sequence[int]) -> tuple[Motion, ...]:
         """Return the floor motions of the wanted storeys, and compute no others."""

@@ -34,7 +34,7 @@ from stayput.building.model import ShearModel, parts_of_step
 from stayput.compiling import entry, inline, inner
 from stayput.errors import InputError
 from stayput.motion.oscillator import step_coefficients
-from stayput.motion.processing import peak_velocity, refine
+from stayput.motion.processing import refine
 
 STEP_ROWS = 10
 """Rows of a step's coefficients: those of `step_coefficients`, then 2ζω and ω²."""
@@ -337,11 +337,6 @@ class Histories:
     acceleration: NDArray[np.float64]
     drift: NDArray[np.float64]
     energy: Energy | None
-
-    def peaks(self) -> NDArray[np.float64]:
-        """Return the peaks of the floors' accelerations [m/s²] and velocities [m/s], shape (2, floors)."""
-        columns = [np.ascontiguousarray(a) for a in self.acceleration.T]
-        return np.array([[np.abs(a).max() for a in columns], [peak_velocity(a, self.dt) for a in columns]])
 
 
 def component_response(
