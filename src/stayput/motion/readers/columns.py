@@ -212,11 +212,8 @@ def read_columns(
     table = numbers(values, "the_numbers").reshape(-1, len(places))
     if line := known_units.stated_factor(above):
         raise InputError("motion.column_factor", "skip_lines", line=excerpt(line), option="skip_lines")
-    units = {
-        known_units.unit_factor(name): name
-        for name in map(known_units.stated_unit, above)
-        if name and known_units.known_unit(name)
-    }
+    stated_units = list(filter(None, map(known_units.stated_unit, above)))
+    units = {known_units.unit_factor(name): name for name in stated_units if known_units.known_unit(name)}
     if len(units) > 1:
         first, second, *_ = map(excerpt, units.values())
         raise InputError("motion.stated_twice", what=phrase("motion.the_unit"), first=first, second=second)
@@ -226,7 +223,7 @@ def read_columns(
     factors = known_units.column_factors(
         headings,
         len(places) + shift,
-        next(filter(None, map(known_units.stated_unit, above)), None),
+        next(iter(stated_units), None),
         unit,
         header,
         step_missing=timeless and dt is None and written is None,

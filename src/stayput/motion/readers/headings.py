@@ -129,9 +129,7 @@ class Headings(NamedTuple):
 def split(line: str) -> list[str]:
     """Return the fields of a line of columns, those between quotation marks without them."""
     mark = _mark(line)
-    fields = (
-        line.split() if mark is None else [text.strip() for text in line.rstrip(f"{mark} \t").split(mark)]
-    )
+    fields = [text.strip() for text in line.rstrip(f"{mark or ''} \t").split(mark)]
     if '"' in line:
         fields = [text[1:-1] if len(text) > 1 and text[0] == text[-1] == '"' else text for text in fields]
     return fields

@@ -1,6 +1,6 @@
 """The text of a file, its lines and the numbers in them; files of other kinds, which are not read.
 
-Numbers go to arrays chunk by chunk: a list of all words of a file would take some forty times its size.
+Numbers go to arrays batch by batch: a list of all words of a file would take some forty times its size.
 """
 
 from __future__ import annotations
@@ -32,8 +32,6 @@ _IN_SPREADSHEETS = (b"xl/workbook", b"opendocument.spreadsheet")  # names of par
 
 LONGEST_LINE = 10_000
 """Longest line that is read; the formats' own end below 500 characters."""
-
-_CHUNK = 1 << 16  # characters of a text of which lists are made at a time
 
 _CONTROLS = bytes(set(range(32)) - set(b"\t\n\v\f\r\x1a")) + b"\x7f"  # in no text file
 _DECIMALS = re.compile(r"\.([0-9]+(?:[eE][+\-]?[0-9]+)?)$")
@@ -97,21 +95,13 @@ def text_of(path: str | os.PathLike[str], data: bytes) -> str:
     return _decoded(data)
 
 
-def chunks(text: str, start: int = 0) -> Iterator[str]:
-    """Yield a text from a place on in chunks of whole lines, as a list of all its words would be large."""
-    while start < len(text):
-        line_end = text.find("\n", start + _CHUNK)
-        stop = len(text) if line_end < 0 else line_end + 1
-        yield text[start:stop]
-        start = stop
-
-
 def lines(text: str, start: int = 0) -> Iterator[tuple[int, str]]:
     """Yield the lines of a text from a place on: where each begins, and the line without its end."""
-    for chunk in chunks(text, start):
-        for line in chunk.removesuffix("\n").split("\n"):
-            yield start, line
-            start += len(line) + 1
+    while start < len(text):
+        end = text.find("\n", start)
+        line = text[start:] if end < 0 else text[start:end]
+        yield start, line
+        start += len(line) + 1
 
 
 def _decoded(data: bytes) -> str:
@@ -218,7 +208,7 @@ def is_decimal(token: str) -> bool:
 
 def words(text: str, start: int) -> Iterator[str]:
     """Yield the words of a text from a place on."""
-    return (word for chunk in chunks(text, start) for word in chunk.split())
+    return (word for _, line in lines(text, start) for word in line.split())
 
 
 def fields(some_lines: Iterable[str], width: int) -> Iterator[str]:
