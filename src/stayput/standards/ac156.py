@@ -7,7 +7,6 @@ coherence are here.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -94,9 +93,7 @@ class RequiredSpectrum:
 def _target(flexible: float, rigid: float, name: str) -> TargetSpectrum:
     f = 1.0 / _PERIODS
     rise = RISE_FACTOR * flexible * f**RISE_POWER
-    fall = flexible * (rigid / flexible) ** (
-        np.log(np.clip(f, FLEXIBLE_TO, RIGID_FROM) / FLEXIBLE_TO) / math.log(RIGID_FROM / FLEXIBLE_TO)
-    )
+    fall = np.exp(np.interp(np.log(f), np.log([FLEXIBLE_TO, RIGID_FROM]), np.log([flexible, rigid])))
     sa = np.where(f < FLEXIBLE_FROM, np.minimum(rise, flexible), fall)
     return TargetSpectrum(_PERIODS, STANDARD_GRAVITY * sa, name, DAMPING)
 

@@ -281,13 +281,9 @@ class Draws:
     def __init__(self, *key: int) -> None:
         self._bits = random_bits(len(key), *key)
 
-    def _uniforms(self, n: int) -> NDArray[np.float64]:
-        """Return numbers inside (0, 1), of 53 bits, shape (n,)."""
-        return uniforms(self._bits.random_raw(n))
-
     def uniform(self, low: float, high: float) -> float:
         """Return a number from low to high, all equally likely."""
-        return low + (high - low) * float(self._uniforms(1)[0])
+        return low + (high - low) * float(uniforms(self._bits.random_raw(1))[0])
 
     def log_uniform(self, low: float, high: float) -> float:
         """Return a number from low to high whose logarithm is uniform."""
@@ -310,7 +306,7 @@ class Draws:
     def noise(self, n: int) -> NDArray[np.float64]:
         """Return standard normal noise, shape (n,) (Box and Muller 1958)."""
         half = (n + 1) // 2
-        u = self._uniforms(2 * half)
+        u = uniforms(self._bits.random_raw(2 * half))
         radius, angle = np.sqrt(-2.0 * np.log(u[:half])), 2.0 * math.pi * u[half:]
         return np.concatenate((radius * np.cos(angle), radius * np.sin(angle)))[:n]
 

@@ -285,11 +285,10 @@ def synthetic_suite(
     n = whole_within("motion.name_count", count, *COUNT_RANGE, field="count")
     number = whole_within("common.seed", seed, *familie.SEED_RANGE, field="seed")
     families = mixed_order(n) if family == MIXED else [family] * n
-    counts = dict.fromkeys(familie.FAMILIES, 0)
-    motions: list[Motion] = []
-    for member in families:
-        counts[member] += 1
-        motions.append(_cached_motion(member, counts[member], number))
+    motions = (
+        _cached_motion(member, families[:place].count(member), number)
+        for place, member in enumerate(families, 1)
+    )
     label = MIXED if family == MIXED else familie.KINDS[family].label
     suite = Suite(tuple(motions), f"synthetic {label} suite, seed {number}")
     if target is None:

@@ -183,10 +183,7 @@ def japanese_design(level: str = "very rare", soil: int = 2) -> TargetSpectrum:
     corners = [0.16, 0.64] + ([0.576] if soil == 1 else [0.64 * SITE_GV[soil] / 1.5])
     t = _table_periods(corners)
     bedrock = np.where(t < 0.16, 3.2 + 30.0 * t, np.where(t < 0.64, 8.0, 5.12 / t))
-    if soil == 1:
-        site = np.where(t < 0.576, 1.5, np.where(t < 0.64, 0.864 / t, 1.35))
-    else:
-        site = np.minimum(np.maximum(1.5, 1.5 * t / 0.64), SITE_GV[soil])
+    site = np.clip(0.864 / t, 1.35, 1.5) if soil == 1 else np.clip(1.5 * t / 0.64, 1.5, SITE_GV[soil])
     name = f"Japanese design spectrum, {level}, soil {soil}"
     return TargetSpectrum(t, LEVELS[level] * bedrock * site, name, of_the_ground=True)
 
