@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sqlite3
 from collections import Counter
 from collections.abc import Callable, Sequence
@@ -57,10 +58,8 @@ class Findings:
     def add(self, row: Sequence[Any], *about: str | None) -> None:
         """Add a row, id, name, reason and reason_ja, with what tells its kind of finding from others."""
         *piece, english, japanese = row
-        if about not in self.found:
-            reasons = {"reason": english, "reason_ja": japanese, "same": True}
-            self.found[about] = {"about": about[0], **reasons, "rows": 0, "first": []}
-        finding = self.found[about]
+        reasons = {"reason": english, "reason_ja": japanese, "same": True}
+        finding = self.found.setdefault(about, {"about": about[0], **reasons, "rows": 0, "first": []})
         finding["same"] &= finding["reason"] == english
         finding["rows"] += 1
         if len(finding["first"]) < FIRST_ALIKE:
@@ -114,13 +113,6 @@ def make_plan(
     reader, impossible, rejects, fixed = RowReader(scenarios), Findings(), Findings(), Findings()
     counts, left_empty = Counter[str](), Counter[str]()
     buffered: list[dict[str, Any]] = []
-
-    def flush() -> None:
-        if buffered:
-            store.add_part(buffered)
-            counts["parts"] += 1
-            buffered.clear()
-
     with space.draft(path) as draft, closing(Store(draft, cache)) as store, open_table(inventory) as table:
         store.begin()
         first = list(islice(table.rows, ROWS_LOOKED_AT))
@@ -166,8 +158,11 @@ def make_plan(
             places = ((name, header.places.get(name)) for name in MAY_BE_EMPTY)
             left_empty.update(n for n, place in places if place is not None and is_empty(cells[place]))
             if counts["pieces"] % ROWS_PER_PART == 0:
-                flush()
-        flush()
+                store.add_part(buffered)
+                buffered.clear()
+        if buffered:
+            store.add_part(buffered)
+        counts["parts"] = math.ceil(counts["pieces"] / ROWS_PER_PART)
         if counts["rows"] == counts["empty rows"]:
             raise not_allowed("inventory.the_file", inventory, "inventory.no_rows", "inventory")
         left_empty -= Counter({"mass": counts["without mass"]})  # which no preset has

@@ -8,10 +8,9 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import closing
-from dataclasses import dataclass
 from functools import lru_cache, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -53,8 +52,8 @@ SAMPLE_BYTES = 40
 Unit: TypeAlias = "tuple[int, str]"
 """Number of a unit, and the spec of its piece."""
 
-BLOCK = 32_768
-"""Most runs that are held in memory at a time: some 10 MB."""
+MOST_RUNS = 32_768
+"""Runs of a task from which it gets no more: some 10 MB."""
 
 _draws, _first_draws = lru_cache(maxsize=64)(draws), lru_cache(maxsize=64)(first_draws)
 """The draws: all units of a scenario have the same."""
@@ -84,27 +83,11 @@ def evaluate(
         Their records, and the runs that were done.
     """
     option: tuple[Measure, ...] = tuple(from_text(measures))
+    pieces: list[tuple[Body, Room, Contents | None]] = [from_text(spec) for _, spec in units]
     runs = 0
     records = np.zeros(len(units), kind)
     records["unit"] = [number for number, _ in units]
     records["out"] = np.nan
-    size = max(1, BLOCK // (settings.motions * settings.samples))
-    for first in range(0, len(units), size):
-        last = min(first + size, len(units))
-        runs += _block([spec for _, spec in units[first:last]], option, floor, settings, records[first:last])
-    return records, runs
-
-
-def _block(
-    specs: list[str],
-    option: tuple[Measure, ...],
-    floor: PreparedFloor,
-    settings: Settings,
-    out: NDArray[np.void],
-) -> int:
-    """Simulate a block of units, fill in their records and return the number of runs."""
-    runs = 0
-    pieces: list[tuple[Body, Room, Contents | None]] = [from_text(spec) for spec in specs]
 
     def run(places: list[int], samples: int, start: int) -> list[Outcomes]:
         nonlocal runs
@@ -115,12 +98,12 @@ def _block(
         outcomes = iter(run_prepared(possible, floor) if possible else ())
         return [Outcomes.impossible(drawn.shape) if row is None else next(outcomes) for row in rows]
 
-    outcomes, _, _ = sample_until_precise(len(specs), settings, run, together=False)
+    outcomes, _, _ = sample_until_precise(len(units), settings, run, together=False)
     for place, (outcome, (body, room, contents)) in enumerate(zip(outcomes, pieces, strict=True)):
-        fill_record(out[place : place + 1], outcome, settings.slide_limit)
+        fill_record(records[place : place + 1], outcome, settings.slide_limit)
         if contents is not None:
-            out["out"][place] = _share_out(body, room, contents, option, floor, settings)
-    return runs
+            records["out"][place] = _share_out(body, room, contents, option, floor, settings)
+    return records, runs
 
 
 def _share_out(
@@ -169,8 +152,7 @@ def fill_record(out: NDArray[np.void], outcomes: Outcomes, slide_limit: float) -
     out["each"][0] = np.packbits(each, axis=-1)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class TaskOutcome:
+class TaskOutcome(NamedTuple):
     """Outcomes of a task, its runs, and the time that they took and that they were guessed to take [s]."""
 
     records: NDArray[np.void]
@@ -235,7 +217,7 @@ class Work:
         self.done = self.outcomes.done
         self.grounds: dict[int, ScaledMotions] = {}
         self.options = store.option_specs()
-        runs = motions * samples
+        self.runs_of_a_unit = runs = motions * samples
         self.guesses = {option: runs * FIRST_GUESS["{" in spec] for option, spec in self.options.items()}
         self.guess_left = sum(self.guesses[option] * n for option, n in store.units_by_option().items())
         self.runs, self.seconds, self.guessed = 0, 0.0, 0.0
@@ -306,7 +288,7 @@ class Work:
     def _groups_at(self, site: int, width: int) -> Iterator[dict[str, list[Unit]]]:
         """Yield the units of a site that are not done, grouped by their measures, as much as a task takes."""
         groups: dict[str, list[Unit]] = {}
-        seconds = 0.0
+        seconds, runs = 0.0, 0
         for number, option, spec in self.store.units_at(site):
             self.guess_left -= self.guesses[option]
             if self.done[number]:
@@ -315,9 +297,10 @@ class Work:
             pace = self.seconds / self.guessed if self.guessed else 1.0
             seconds += self.guesses[option] * pace
             shorter_at_the_end = max(self.guess_left * pace / (4.0 * width), 0.02)
-            if seconds >= min(SECONDS, shorter_at_the_end):
+            runs += self.runs_of_a_unit
+            if seconds >= min(SECONDS, shorter_at_the_end) or runs >= MOST_RUNS:
                 yield groups
-                groups, seconds = {}, 0.0
+                groups, seconds, runs = {}, 0.0, 0
         if groups:
             yield groups
 
