@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import math
+from collections import defaultdict
 from pathlib import Path
 
 import duckdb
@@ -125,7 +126,7 @@ def test_the_scenarios_own_building_is_named_in_the_reports_language(tmp_path):
 
 def test_a_map_shows_every_storey_and_whole_names():
     long = "a & b <of a very long name, that goes on>"
-    total = Total(rows=1, pieces=4, fallen=1.0, fallen_best=0.5)
+    total = Total(rows=1, pieces=4, fallen=defaultdict(float, {"": 1.0, "_best": 0.5}))
     shown = storey_map({("10 RC", 7): total, ("2 wood", 2): total, (long, 1): total, ("", 0): total}, False)
     assert [row["floor"][0] for row in shown["rows"]] == [*(f"{n}F" for n in range(7, 0, -1)), "ground"]
     assert [english for english, _ in shown["buildings"]] == ["no building", "2 wood", "10 RC", long]
@@ -137,8 +138,8 @@ def test_summaries_add_up(small):
     rows = rows_of_results(small)
     total = small.summary.events["city"]
     assert total.pieces == 7
-    assert total.fallen == pytest.approx(sum(row["count"] * row["overturned"] for row in rows))
-    assert total.fallen == pytest.approx(sum(one.fallen for one in small.summary.places.values()))
+    assert total.fallen[""] == pytest.approx(sum(row["count"] * row["overturned"] for row in rows))
+    assert total.fallen[""] == pytest.approx(sum(one.fallen[""] for one in small.summary.places.values()))
 
 
 def test_pieces_that_are_alike_are_simulated_once(tmp_path):
@@ -245,8 +246,9 @@ def test_a_precision_stops_where_it_is_reached(tmp_path):
 
 
 def test_the_report_rounds_as_the_terminal_does():
-    ends = {"fallen_low": 7.1, "fallen_high": 9.3, "fallen_best_low": 0.1, "fallen_best_high": 0.9}
-    total = Total(rows=1, pieces=10, fallen=8.2, fallen_best=0.4, **ends)
+    best = {"_best": 0.4, "_best_low": 0.1, "_best_high": 0.9}
+    fallen = defaultdict(float, {"": 8.2, "_low": 7.1, "_high": 9.3, **best})
+    total = Total(rows=1, pieces=10, fallen=fallen)
     assert expected(total)[0].startswith("8.2 of 10 pieces are expected to overturn: 82 % (71 to 93 %)")
     assert "clearly helps, 0.4: 4 % (1 to 9 %)." in expected(total)[0]
     assert expected(total)[1].startswith("10点のうち8.2点が転倒する見込みです：82%（71～93%）。")

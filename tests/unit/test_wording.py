@@ -3,6 +3,7 @@
 import dataclasses
 import math
 import re
+from collections import defaultdict
 from dataclasses import replace
 from pathlib import Path
 
@@ -202,10 +203,10 @@ def test_the_note_on_grades_is_about_the_option_that_is_asked_for():
 
 def test_counts():
     assert [counted(n, "run") for n in (0, 1, 2, 1000)] == ["0 runs", "1 run", "2 runs", "1,000 runs"]
-    lone = Total(rows=1, pieces=1, fallen=0.0004, fallen_high=0.2)
+    lone = Total(rows=1, pieces=1, fallen=defaultdict(float, {"": 0.0004, "_high": 0.2}))
     for total, shown, told in (
         (lone, "<0.1?", "% (0 to 20 %) of 1 piece"),
-        (Total(1, 2, 1.0), "50", "of 2 pieces"),
+        (Total(1, 2, defaultdict(float, {"": 1.0})), "50", "of 2 pieces"),
     ):
         (cell,) = storey_map({("a", 1): total}, False)["rows"][0]["cells"]
         assert cell["shown"] == shown

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import math
 import re
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
 
 from stayput.catalogue import LANGUAGES, Language, Phrase, is_phrase, phrase
 from stayput.fragility.probabilities import percent
@@ -159,11 +162,11 @@ def read_as(facts: Mapping[str, Any]) -> Phrase:
 def expected(total: Total) -> Phrase:
     """Return how many pieces are expected to overturn, without and with the best measures."""
     best = NOTHING
-    if total.fallen_best < total.fallen:
-        best = tell("expected_best", fallen=f"{total.fallen_best:,.1f}", share=share_of(total, "_best"))
+    if total.fallen["_best"] < total.fallen[""]:
+        best = tell("expected_best", fallen=f"{total.fallen['_best']:,.1f}", share=share_of(total, "_best"))
     return tell(
         "expected",
-        fallen=f"{total.fallen:,.1f}",
+        fallen=f"{total.fallen['']:,.1f}",
         pieces=pieces_counted(total.pieces),
         verb=("is" if total.pieces == 1 else "are", ""),
         share=share_of(total, ""),
@@ -303,11 +306,8 @@ UNTOLD = "#c8ccd0"
 
 def colour(share: float) -> str:
     """Return the colour of a share."""
-    place = min(max(share, 0.0), 1.0) * (len(RAMP) - 1)
-    low = min(int(place), len(RAMP) - 2)
-    mix = (
-        round(a + (place - low) * (b - a)) for a, b in zip(rgb(RAMP[low]), rgb(RAMP[low + 1]), strict=True)
-    )
+    stops = np.linspace(0.0, 1.0, len(RAMP))
+    mix = (round(np.interp(share, stops, parts)) for parts in zip(*map(rgb, RAMP), strict=True))
     return "#" + "".join(f"{value:02x}" for value in mix)
 
 
@@ -330,9 +330,9 @@ def storey_map(
     roofs : mapping
         Number of the roof of each building that has a piece there.
     """
-    fallen: dict[str, float] = {}
+    fallen = defaultdict[str, float](float)
     for (building, _), total in totals.items():
-        fallen[building] = fallen.get(building, 0.0) + total.fallen
+        fallen[building] += total.fallen[""]
     buildings = sorted(sorted(fallen, key=lambda name: -fallen[name])[:MOST_BUILDINGS], key=_by_number)
     called = {building: named(building) if building else tell("no_building") for building in buildings}
     rows: list[dict[str, Any]] = []

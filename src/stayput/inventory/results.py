@@ -6,12 +6,11 @@ import hashlib
 import io
 import itertools
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from enum import StrEnum
 from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -161,8 +160,7 @@ def schema(metadata: Mapping[str, str]) -> Any:
     return pa.schema(fields, metadata=dict(metadata))
 
 
-@dataclass(frozen=True, slots=True)
-class Choice:
+class Choice(NamedTuple):
     """The best of a row's options by risk, and by cost with its gain; options by their place.
 
     ``event`` is the one that the best lessens, ``change`` by how much; none where none is better.

@@ -7,9 +7,8 @@ import io
 import re
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 from xml.etree import ElementTree
 
 import numpy as np
@@ -35,8 +34,7 @@ PREFERRED = ("pgv", "pga", "mmi")
 """Fields of a grid in the order in which one is taken: JMA's intensity follows the velocity most closely."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class MapGrid:
+class MapGrid(NamedTuple):
     """A grid of places.
 
     Parameters

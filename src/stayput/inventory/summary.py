@@ -11,7 +11,7 @@ import heapq
 import io
 import json
 import math
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import chain, islice
@@ -49,16 +49,11 @@ READ = (
 
 @dataclass(slots=True)
 class Total:
-    """Sums over rows."""
+    """Sums over rows; those of ``fallen`` by the keys of `share`."""
 
     rows: int = 0
     pieces: int = 0
-    fallen: float = 0.0
-    fallen_low: float = 0.0
-    fallen_high: float = 0.0
-    fallen_best: float = 0.0
-    fallen_best_low: float = 0.0
-    fallen_best_high: float = 0.0
+    fallen: defaultdict[str, float] = field(default_factory=lambda: defaultdict(float))
     loss: float | None = None
     loss_best: float | None = None
     unknown: int = 0
@@ -80,8 +75,8 @@ class Total:
             self.lessened[row["finding"], row["best_lessens"]] += row["count"]
         taken = "best_" if row["finding"] == Finding.HELPED else ""
         for end in ENDS:
-            for sums, column in ((f"fallen{end}", "overturned"), (f"fallen_best{end}", f"{taken}overturned")):
-                setattr(self, sums, getattr(self, sums) + row["count"] * row[f"{column}{end}"])
+            self.fallen[end] += row["count"] * row[f"overturned{end}"]
+            self.fallen[f"_best{end}"] += row["count"] * row[f"{taken}overturned{end}"]
         if row["expected_loss"] is not None:
             self.loss = (self.loss or 0.0) + row["expected_loss"]
             self.loss_best = (self.loss_best or 0.0) + row[f"{taken}expected_loss"]
@@ -94,7 +89,7 @@ class Total:
     def share(self, which: str = "") -> float:
         """Return the expected share that overturns, or its "_low" or "_high" end; "_best…" with measures."""
         known = self.pieces - self.unknown
-        return getattr(self, f"fallen{which}") / known if known else float("nan")
+        return self.fallen[which] / known if known else float("nan")
 
     def untold(self, which: str = "") -> bool:
         """Return whether hardly any overturned, and the runs are too few to say that hardly any does."""
@@ -121,9 +116,9 @@ class Total:
         return {
             "rows": self.rows,
             "pieces": self.pieces,
-            "expected_overturned": self.fallen,
+            "expected_overturned": self.fallen[""],
             **{f"share_overturned{end}": self.share(end) for end in ENDS},
-            "expected_overturned_best": self.fallen_best,
+            "expected_overturned_best": self.fallen["_best"],
             **{f"share_overturned_best{end}": self.share(f"_best{end}") for end in ENDS},
             "expected_loss": self.loss,
             "expected_loss_best": self.loss_best,
@@ -173,19 +168,19 @@ class Summary:
 def summarise(folder: Path) -> Summary:
     """Return the summary of the parts of a folder, read a few rows at a time."""
     summary = Summary()
-    heap: list[tuple[tuple[float, float, float, int], int, dict[str, Any]]] = []
-    for number, row in enumerate(_rows(folder, READ)):
-        place = row["event"], row["building"] or "", row["storey"] or 0
-        summary.places.setdefault(place, Total()).add(row)
-        summary.events.setdefault(row["event"], Total()).add(row)
-        if row["finding"] is not None:
-            risk = row["expected_loss"] or 0.0, row["overturned"], row["overturned_high"]
-            entry = ((*risk, -number), number, row)
-            if len(heap) < WORST:
-                heapq.heappush(heap, entry)
-            else:
-                heapq.heappushpop(heap, entry)
-    summary.worst = [row for _, _, row in sorted(heap, reverse=True)]
+
+    def known_rows() -> Iterator[dict[str, Any]]:
+        for row in _rows(folder, READ):
+            place = row["event"], row["building"] or "", row["storey"] or 0
+            summary.places.setdefault(place, Total()).add(row)
+            summary.events.setdefault(row["event"], Total()).add(row)
+            if row["finding"] is not None:
+                yield row
+
+    def risk(row: dict[str, Any]) -> tuple[float, float, float]:
+        return row["expected_loss"] or 0.0, row["overturned"], row["overturned_high"]
+
+    summary.worst = heapq.nlargest(WORST, known_rows(), risk)
     return summary
 
 

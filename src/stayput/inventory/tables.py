@@ -8,13 +8,12 @@ import re
 import warnings
 from collections.abc import Callable, Generator, Iterator
 from contextlib import AbstractContextManager, ExitStack, closing, contextmanager
-from dataclasses import dataclass
 from datetime import date, time
 from decimal import Decimal
 from functools import lru_cache
 from itertools import count
 from pathlib import Path
-from typing import Any, TextIO, cast
+from typing import Any, NamedTuple, TextIO, cast
 from xml.etree.ElementTree import iterparse
 
 from stayput.catalogue import phrase
@@ -57,8 +56,7 @@ Opened = tuple["Iterator[TableRow]", str, bool]
 """The rows of a file, the header among them, how it was read, and whether commas may be decimal."""
 
 
-@dataclass(frozen=True, slots=True)
-class OpenTable:
+class OpenTable(NamedTuple):
     """An open inventory.
 
     Parameters
@@ -240,11 +238,9 @@ def _cell(value: Any) -> Cell:
     match value:
         case None | "":
             return None
-        case str():
-            return value
         case bool():
             return _unusable("bool")
-        case int() | float():
+        case str() | int() | float():
             return value
         case Decimal():
             return float(value)
