@@ -12,7 +12,7 @@ from stayput.model.parameters import check_fields, choice, other_default, parame
 from stayput.model.room import FRICTION_RANGE
 from stayput.vocabulary import preset_meant
 
-_SIZE = ("m", *SIZE_RANGE)
+_SIZE, _FRICTION = ("m", *SIZE_RANGE), ("", *FRICTION_RANGE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,12 +35,8 @@ class ContentsKind:
 
     width: float = field(metadata=quantity(*_SIZE, ("item depth", "物の奥行き")))
     height: float = field(metadata=quantity(*_SIZE, ("item height", "物の高さ")))
-    static_friction: float = field(
-        metadata=quantity("", *FRICTION_RANGE, ("static friction", "静止摩擦係数"))
-    )
-    kinetic_friction: float = field(
-        metadata=quantity("", *FRICTION_RANGE, ("kinetic friction", "動摩擦係数"))
-    )
+    static_friction: float = field(metadata=quantity(*_FRICTION, ("static friction", "静止摩擦係数")))
+    kinetic_friction: float = field(metadata=quantity(*_FRICTION, ("kinetic friction", "動摩擦係数")))
     setback: float = field(metadata=quantity("m", 0.0, 10.0, ("setback from the edge", "棚の縁からの距離")))
     mass_share: float = field(metadata=quantity("", 0.0, 0.99, ("share of the mass", "質量の割合")))
 

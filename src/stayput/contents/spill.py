@@ -421,7 +421,8 @@ def spill_of(carrier: Carrier, body: Body, contents: Contents, *, followed: int)
     if contents.doors == "sliding":
         middle = _shaking(points[len(points) // 2], 0, carrier.dt)
         part = uncovered(slide_of_a_leaf(contents, middle, carrier.gravity), contents.leaf)
-    exposed = _exposed(shape[1], part)
+    # Which items of a shelf stand before the open part of the front.
+    exposed = (np.arange(contents.items) + 0.5) / contents.items < part
     samples = len(carrier.tilt)
     for shelf, (point, start) in enumerate(zip(points, opened.tolist(), strict=True)):
         if start > samples - 2 or not exposed.any():  # it stays shut
@@ -451,11 +452,6 @@ def spill_of(carrier: Carrier, body: Body, contents: Contents, *, followed: int)
         speed=speed,
         distance=distance,
     )
-
-
-def _exposed(count: int, part: float) -> NDArray[np.bool_]:
-    """Return which items of a shelf stand before the open part of the front."""
-    return (np.arange(count) + 0.5) / count < part
 
 
 def _shaking(point: PointMotion, start: int, dt: float) -> Shaking:
