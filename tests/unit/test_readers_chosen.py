@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import stayput as sp
-from stayput.motion.readers import read_vertical
+from stayput.motion.readers import read_shaking
 from stayput.motion.readers.columns import chosen_columns
 
 PHONE = (
@@ -84,8 +84,8 @@ def test_what_a_chosen_column_is_none_the_less(refusal):
 def test_the_file_of_a_vertical_component_may_have_chosen_columns(tmp_path):
     file = tmp_path / "up.csv"
     file.write_text(phone(), encoding="utf-8")
-    assert read_vertical(file, columns="t=2,x=4").x[1] == pytest.approx(0.025)
-    assert read_vertical(file, columns="t=2,x=4,z=5").x[1] == pytest.approx(0.035)
+    assert read_shaking(file, columns="t=2,x=4", vertical=True).x[1] == pytest.approx(0.025)
+    assert read_shaking(file, columns="t=2,x=4,z=5", vertical=True).x[1] == pytest.approx(0.035)
 
 
 def test_a_scenario_says_the_same(tmp_path):

@@ -9,7 +9,7 @@ import stayput as sp
 from record_files import WAVE, at2, cosmos, csmip_channel, esm, jma
 from stayput.errors import InputError, InputWarning, warnings_to
 from stayput.motion.floors import upper_floor
-from stayput.motion.readers import read_shaking, read_vertical
+from stayput.motion.readers import read_shaking
 
 
 def codes(warned):
@@ -118,10 +118,10 @@ def test_vertical_components_are_read_as_such(tmp_path):
             ("1\n2\n", "gal", 0.01),
         ):
             file.write_text(text, encoding="utf-8")
-            assert read_vertical(file, unit, dt=0.01).x[0] == pytest.approx(first)
+            assert read_shaking(file, unit=unit, dt=0.01, vertical=True).x[0] == pytest.approx(first)
         file.write_text(at2(title="Q, S, 090"))
         with pytest.raises(InputError, match="The channels are 090; exactly one must be vertical"):
-            read_vertical(file)
+            read_shaking(file, vertical=True)
     assert told == []
 
 

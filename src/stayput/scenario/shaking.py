@@ -23,7 +23,7 @@ from stayput.motion.ground_shaking import (
     strength_of_sa,
 )
 from stayput.motion.intensity import CLASSES, INTENSITY_RANGE, intensity_of_class, possible_intensity
-from stayput.motion.readers import read_shaking, read_vertical
+from stayput.motion.readers import read_shaking
 from stayput.motion.readers.columns import MOST_SKIPPED, OPTIONS, ReadingOptions, chosen_columns
 from stayput.motion.record import Motion
 from stayput.motion.suites.families import FAMILIES
@@ -347,7 +347,9 @@ class ShakingTable(fields.Table):
             parts["y"] = read_shaking(folder / self.across, unit=self.unit, several=True, **self._reading)
             _refuse_vertical(parts["y"], "across", self.across)
         if isinstance(self.vertical, str):
-            parts["z"] = read_vertical(folder / self.vertical, self.unit, several=True, **self._reading)
+            parts["z"] = read_shaking(
+                folder / self.vertical, unit=self.unit, several=True, vertical=True, **self._reading
+            )
         return Motion.combine(motion, parts.get("y"), parts.get("z"), motion.name)
 
 

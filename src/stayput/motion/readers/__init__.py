@@ -110,6 +110,7 @@ def read_shaking(
     unit: str | None = None,
     *,
     several: bool = False,
+    vertical: bool = False,
     **options: Unpack[ReadingOptions],
 ) -> Motion:
     """Read a record that shakes furniture sideways: a vertical channel is not taken for a horizontal one.
@@ -120,36 +121,18 @@ def read_shaking(
         As for `read_motion`.
     several : bool
         Whether the file is one of several: ``unit`` and ``dt`` are for those that do not state their own.
+    vertical : bool
+        Whether it shakes it up and down instead: x is the file's vertical channel, or its only one where its
+        direction is not stated.
 
     Raises
     ------
     InputError
-        Likewise; or ``component`` names a vertical channel of a file that has horizontal ones.
+        Likewise; or ``component`` names a vertical channel of a file that has horizontal ones, or there is
+        none or more than one where the vertical is asked for.
     """
     file = read_file(path, unit, several=several, **options)
-    return motion_of([file], along(component))
-
-
-def read_vertical(
-    path: str | os.PathLike[str],
-    unit: str | None = None,
-    *,
-    several: bool = False,
-    **options: Unpack[ReadingOptions],
-) -> Motion:
-    """Read a file's vertical channel, or its only one where its direction is not stated, as x of a motion.
-
-    Parameters
-    ----------
-    path, unit, several, options
-        As for `read_shaking`.
-
-    Raises
-    ------
-    InputError
-        Likewise; or there is no vertical channel, or more than one.
-    """
-    return motion_of([read_file(path, unit, several=several, **options)], _vertical_of)
+    return motion_of([file], _vertical_of if vertical else along(component))
 
 
 def along(component: str | None, *, refuse: bool = True) -> Callable[[Sequence[Channel]], str | None]:
