@@ -10,7 +10,6 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from cachetools import LRUCache
-from pydantic import ValidationError
 
 from stayput.catalogue import Phrase, phrase
 from stayput.contents.contents import Contents, emptied
@@ -28,19 +27,19 @@ from stayput.inventory.cells import (
     text_of,
 )
 from stayput.inventory.columns import TOTAL_ROW, plain_name
-from stayput.inventory.scenarios import Scenarios, stated_building
+from stayput.inventory.scenarios import Scenarios, checked_table, stated_building
 from stayput.inventory.store import ground_spec
 from stayput.measures import MEASURES, Measure, hold
 from stayput.measures.measure import refuse_conflicts
 from stayput.model.room import WALLS, Floor, Room, Wall
 from stayput.model.state import State, refuse_bad_start
 from stayput.saved import to_text
-from stayput.scenario import Scenario
 from stayput.scenario.pieces import PieceTable
 from stayput.vocabulary import plain_word
 
 if TYPE_CHECKING:
     from stayput.model.body import Body
+    from stayput.scenario import Scenario
     from stayput.scenario.tables import BuildingTable
 
 MOST_CACHED = 100_000
@@ -319,15 +318,11 @@ def body_of(cells: Mapping[str, Cell]) -> Body:
         table["shelves"] = list(load)
     stated = {name: value for name, value in table.items() if value is not None}
     try:
-        return PieceTable.model_validate(stated).body()
-    except ValidationError:
-        try:
-            Scenario.parse({"furniture": stated})
-        except InputError as error:
-            # A row has columns where a scenario has keys of its table [furniture].
-            known = error.renamed("furniture.shelves", "load").renamed("furniture.", "")
-            raise known.anywhere() from None
-        raise
+        return checked_table(PieceTable, stated, "furniture").body()
+    except InputError as error:
+        # A row has columns where a scenario has keys of its table [furniture].
+        known = error.renamed("furniture.shelves", "load").renamed("furniture.", "")
+        raise known.anywhere() from None
 
 
 def room_of(cells: Mapping[str, Cell], scenario: Scenario) -> Room:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, cast
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar, cast
 
 from pydantic import ValidationError
 
@@ -22,12 +22,14 @@ from stayput.inventory.shakemap import GroundLevel, ShakeMap, distances
 from stayput.motion.floors import of_the_ground
 from stayput.scenario import Scenario
 from stayput.scenario.fields import Table, Text, between
+from stayput.scenario.tables import BuildingTable
 from stayput.scenario.toml import read_toml, refusal_of
 from stayput.vocabulary import meant
 
 if TYPE_CHECKING:
     from stayput.motion.suites.suite import Suite
-    from stayput.scenario.tables import BuildingTable
+
+Checked = TypeVar("Checked", bound=Table)
 
 Changed = Callable[[Mapping[str, Any], Path], Mapping[str, Any]]
 
@@ -237,16 +239,18 @@ def scenario_file_of(data: Mapping[str, object], file: Path) -> ScenarioFile:
             raise not_allowed("buildings", shown(buildings), "scenario.table", "buildings")
         tables = cast("dict[str, object]", buildings)
         named = {name: building_table(f"buildings.{name}", table) for name, table in tables.items()}
-        return ScenarioFile(file.stem, scenario, named, None if station is None else _station(station))
+        place = None if station is None else checked_table(StationTable, station, "station")
+        return ScenarioFile(file.stem, scenario, named, place)
     except InputError as error:
         raise error.at(file.name) from None
 
 
-def _station(table: object) -> StationTable:
+def checked_table(kind: type[Checked], table: object, key: str) -> Checked:
+    """Return a table of a scenario, or refuse it by its key."""
     try:
-        return StationTable.model_validate(table)
+        return kind.model_validate(table)
     except ValidationError as error:
-        raise refusal_of(error.errors(), StationTable.model_json_schema(), "station") from None
+        raise refusal_of(error.errors(), kind.model_json_schema(), key) from None
 
 
 def building_table(name: str, table: object) -> BuildingTable:
@@ -264,13 +268,10 @@ def building_table(name: str, table: object) -> BuildingTable:
     InputError
         What is wrong with it.
     """
-    shaking = {"builtin": "near-fault", "building": table, "storey": 1}
     try:
-        building = Scenario.parse({"furniture": ANY_FURNITURE, "shaking": shaking}).shaking.building
+        return checked_table(BuildingTable, table, "shaking.building")
     except InputError as error:
         raise error.renamed("shaking.building", name) from None
-    assert building is not None
-    return building
 
 
 def stated_building(text: str) -> BuildingTable | None:

@@ -40,7 +40,7 @@ def refusal_of(errors: Sequence[ErrorDetails], schema: dict[str, Any], within: s
     """
     error = min(errors, key=lambda detail: detail["type"] != "extra_forbidden")
     place = error["loc"]
-    name = _dotted(place) if not within else f"{within}.{_dotted(place)}"
+    name = ".".join(filter(None, (within, _dotted(place))))
     if error["type"] == "extra_forbidden":
         return _unknown_key(name, place, schema)
     raised = error.get("ctx", {}).get("error")
