@@ -339,12 +339,12 @@ def storey_map(
     for storey in _storeys({storey for building, storey in totals if building in buildings}):
         here = [building for building in buildings if (building, storey) in totals]
         roof = bool(here) and all(roofs.get(building) == storey for building in here)
-        cells: list[dict[str, Any] | None] = [None] * len(buildings)
+        cells = dict[str, dict[str, Any]]()
         for building in here:
             floor = _floor(storey, roofs.get(building) == storey)
             where = tell("place", building=called[building], floor=floor)
-            cells[buildings.index(building)] = _map_cell(totals[building, storey], best, where)
-        rows.append({"floor": _floor(storey, roof), "cells": cells})
+            cells[building] = _map_cell(totals[building, storey], best, where)
+        rows.append({"floor": _floor(storey, roof), "cells": [*map(cells.get, buildings)]})
     return {"buildings": [*called.values()], "rows": rows}
 
 

@@ -8,7 +8,8 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import closing
-from functools import lru_cache, partial
+from copy import copy
+from functools import cache, lru_cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
@@ -215,12 +216,13 @@ class Work:
         self.kind = record_type(motions, samples)
         self.outcomes = OutcomeStore(folder / OUTCOMES, self.kind, store.facts()["units"])
         self.done = self.outcomes.done
-        self.grounds: dict[int, ScaledMotions] = {}
         self.options = store.option_specs()
         self.runs_of_a_unit = runs = motions * samples
         self.guesses = {option: runs * FIRST_GUESS["{" in spec] for option, spec in self.options.items()}
         self.guess_left = sum(self.guesses[option] * n for option, n in store.units_by_option().items())
         self.runs, self.seconds, self.guessed = 0, 0.0, 0.0
+        self.ground = cache(self._ground_of)
+        """The motions of a scenario, by its place."""
         self.strengths = lru_cache(maxsize=10_000)(self._strengths_of)
         """How strongly the ground shakes in a scenario, at a map's level: the numbers of `GROUND`."""
 
@@ -233,15 +235,12 @@ class Work:
         """Units that are not done."""
         return int(len(self.done) - np.count_nonzero(self.done))
 
-    def ground(self, station: int) -> ScaledMotions:
-        """Return the motions of a scenario."""
-        if station not in self.grounds:
-            file = self.scenarios.all[station]
-            vertical = bool(file.scenario.shaking.vertical)
-            ground = ScaledMotions(file.ground, vertical=vertical, measure=self.scenarios.measure)
-            _ = ground.to_jma_zero  # the intensity is reported in any case: refuse a still motion now
-            self.grounds[station] = ground
-        return self.grounds[station]
+    def _ground_of(self, station: int) -> ScaledMotions:
+        file = self.scenarios.all[station]
+        vertical = bool(file.scenario.shaking.vertical)
+        ground = ScaledMotions(file.ground, vertical=vertical, measure=self.scenarios.measure)
+        _ = ground.to_jma_zero  # the intensity is reported in any case: refuse a still motion now
+        return ground
 
     def _factors(self, station: int, level: GroundLevel | None) -> NDArray[np.float64]:
         """Return the factors of a scenario's motions: to the strength that it states, or to a map's level."""
@@ -274,7 +273,7 @@ class Work:
             station, level, building = ground_of(spec)
             ground, factors = self.ground(station), self._factors(station, level)
             if station not in grounds:
-                grounds[station] = Shared(_itself, ground)
+                grounds[station] = Shared(copy, ground)
             size = SAMPLE_BYTES * sum(len(motion.x) for motion in ground.ground)
             at_a_time = max(1, self.floor_memory // size)
             for start in range(0, len(sites), at_a_time):
@@ -333,7 +332,3 @@ class Work:
         self.done[fresh["unit"]] = True
         self.outcomes.add(fresh)
         advance(len(fresh))
-
-
-def _itself(ground: ScaledMotions) -> ScaledMotions:
-    return ground
