@@ -73,10 +73,10 @@ def test_summary_report_and_command_tell_the_mean_over_what_has_contents(small, 
     rows = [row for row in rows_of_results(small) if row["contents_out_share"] is not None]
     mean = sum(row["contents_out_share"] for row in rows) / 3
     total = small.summary.events["city"]
-    assert (total.filled, total.share_out) == (3, pytest.approx(mean))
+    assert (total.filled, total.share_out()) == (3, pytest.approx(mean))
     with (small.folder / "summary.csv").open(newline="", encoding="utf-8") as file:
         (line,) = csv.DictReader(file)
-    assert float(line["contents_out_share"]) == total.share_out
+    assert float(line["contents_out_share"]) == total.share_out()
     page = (small.folder / "report.html").read_text(encoding="utf-8")
     assert "Of what is inside 3 pieces" in page
     assert "Contents out with it" in page
@@ -84,7 +84,7 @@ def test_summary_report_and_command_tell_the_mean_over_what_has_contents(small, 
     line = "assess", inventory, "--scenario", scenario, "--out", tmp_path / "out"
     assert "Of what is inside 3 pieces" in cli(*line).stdout
     told = json.loads(cli(*line, "--json").stdout)
-    assert told["events"]["city"]["contents_out_share"] == total.share_out
+    assert told["events"]["city"]["contents_out_share"] == total.share_out()
 
 
 def test_neither_threads_nor_tasks_change_a_bit(small, tmp_path, monkeypatch):

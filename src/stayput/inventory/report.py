@@ -203,9 +203,9 @@ def further(total: Total, currency: str) -> Phrase:
 
 def inside_told(total: Total) -> Phrase:
     """Return what share of the contents comes out; empty where there are none."""
-    if total.share_out is None:
+    if not total.filled:
         return NOTHING
-    share, best = share_told(total.share_out), share_told(total.share_out_best)
+    share, best = (share_told(total.share_out(which)) for which in ("", "_best"))
     return tell("inside_out", pieces=pieces_counted(total.filled), share=share, best=best)
 
 

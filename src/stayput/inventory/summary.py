@@ -49,7 +49,7 @@ READ = (
 
 @dataclass(slots=True)
 class Total:
-    """Sums over rows; those of ``fallen`` by the keys of `share`."""
+    """Sums over rows; those of ``fallen`` and ``out`` by the keys of `share`."""
 
     rows: int = 0
     pieces: int = 0
@@ -60,8 +60,7 @@ class Total:
     findings: Counter[str] = field(default_factory=Counter[str])
     lessened: Counter[tuple[str, str]] = field(default_factory=Counter[tuple[str, str]])
     filled: int = 0
-    out: float = 0.0
-    out_best: float = 0.0
+    out: defaultdict[str, float] = field(default_factory=lambda: defaultdict(float))
 
     def add(self, row: dict[str, Any]) -> None:
         """Add a row; one whose runs were all given up counts as unknown."""
@@ -83,8 +82,8 @@ class Total:
         out, best = row["contents_out_share"], row[f"{taken}contents_out_share"]
         if out is not None and best is not None:
             self.filled += row["count"]
-            self.out += row["count"] * out
-            self.out_best += row["count"] * best
+            self.out[""] += row["count"] * out
+            self.out["_best"] += row["count"] * best
 
     def share(self, which: str = "") -> float:
         """Return the expected share that overturns, or its "_low" or "_high" end; "_best…" with measures."""
@@ -95,15 +94,12 @@ class Total:
         """Return whether hardly any overturned, and the runs are too few to say that hardly any does."""
         return self.share(which) < SMALL and self.share(f"{which}_high") >= SAFE
 
-    @property
-    def share_out(self) -> float | None:
-        """Expected share of the contents that come out, on average over the pieces; none without contents."""
-        return self.out / self.filled if self.filled else None
+    def share_out(self, which: str = "") -> float | None:
+        """Return the expected share of the contents that come out, on average over the pieces that have some.
 
-    @property
-    def share_out_best(self) -> float | None:
-        """The same with the best measures."""
-        return self.out_best / self.filled if self.filled else None
+        It is none where no piece has; "_best" is with the best measures.
+        """
+        return self.out[which] / self.filled if self.filled else None
 
     @property
     def numbers(self) -> dict[str, float | int | None]:
@@ -123,8 +119,8 @@ class Total:
             "expected_loss": self.loss,
             "expected_loss_best": self.loss_best,
             **{f"pieces_{finding}": self.findings[finding] for finding in Finding},
-            "contents_out_share": self.share_out,
-            "contents_out_share_best": self.share_out_best,
+            "contents_out_share": self.share_out(),
+            "contents_out_share_best": self.share_out("_best"),
         }
 
 
