@@ -136,14 +136,15 @@ def intensity_of_class(name: str) -> float:
     return 0.5 * (bounds[i] + bounds[i + 1])
 
 
-def possible_intensity(value: float) -> float:
-    """Return an instrumental intensity, with a warning where none so strong has been recorded.
+def possible_intensity(stated: float | str) -> float:
+    """Return an instrumental intensity, or that of a class, with a warning where none so strong was recorded.
 
     Raises
     ------
     InputError
-        Beyond `INTENSITY_RANGE`.
+        Beyond `INTENSITY_RANGE`, or no such class.
     """
+    value = intensity_of_class(stated) if isinstance(stated, str) else stated
     intensity = within("motion.name_intensity", value, *INTENSITY_RANGE, field="intensity")
     if intensity > RECORDED:
         warn(InputWarning("motion.intensity_unrecorded", "intensity", value=intensity, most=RECORDED))

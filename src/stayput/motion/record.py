@@ -17,12 +17,7 @@ from stayput.files import check_target, draft
 from stayput.motion import processing
 from stayput.motion.channels import Listing, check_horizontal, motion_fields, one_record
 from stayput.motion.floors import of_the_ground
-from stayput.motion.intensity import (
-    factor_to_intensity,
-    intensity_of_class,
-    jma_intensity,
-    possible_intensity,
-)
+from stayput.motion.intensity import factor_to_intensity, jma_intensity, possible_intensity
 from stayput.motion.response import DAMPING, PERIODS, ResponseSpectrum, spectrum_of_samples
 from stayput.motion.seismogram import channels_of_traces
 from stayput.motion.writers import FORMATS
@@ -332,8 +327,7 @@ class Motion:
         InputError
             A still floor, an upper floor, or an intensity that is not known or needs an absurd factor.
         """
-        value = intensity_of_class(intensity) if isinstance(intensity, str) else intensity
-        value = possible_intensity(value)
+        value = possible_intensity(intensity)
         scaled = self.scaled(factor_to_intensity(of_the_ground(self, "strength").intensity, value))
         return replace(scaled, source=f"{scaled.source} (to JMA intensity {value:g})")
 
