@@ -191,9 +191,8 @@ def pulse(
     else:
         period = 1.0 / within("frequency", needed, 1e-3, 1e3, "Hz", "frequency")
         length = period * (3.0 if kind == "ricker" else g)
-    step = min(1e-3, period / 200.0)
-    if dt is not None:
-        step = within("motion.name_dt", dt, *STEP_RANGE, "s", "dt")
+    usual = min(1e-3, period / 200.0)
+    step = usual if dt is None else within("motion.name_dt", dt, *STEP_RANGE, "s", "dt")
     _check_step(step, period)
     half, zeros, step = _steps(length / 2.0, step, still)
     tau = np.arange(-half, half + 1, dtype=np.float64) * step

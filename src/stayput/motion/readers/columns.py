@@ -166,8 +166,6 @@ def _numbers_at(
             raise InputError("motion.row_width", value=excerpt(line.strip()), **about)
         as_they_stand = counted or places == range(count)
         yield from values if as_they_stand else (values[place] for place in places)
-    if not count:
-        raise InputError("motion.few_rows", rows=0)
 
 
 def read_columns(
@@ -229,7 +227,7 @@ def read_columns(
         step_missing=timeless and dt is None and written is None,
     )[shift:]
     if len(table) < 2:
-        raise InputError("motion.few_rows", rows=1)
+        raise InputError("motion.few_rows", rows=len(table))
     if size is not None:
         check_count(len(table), size)
     time = None if timeless else headings.time or 0

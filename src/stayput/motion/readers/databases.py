@@ -18,7 +18,7 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError, excerpt
 from stayput.motion.channels import Channel, in_borehole, is_direction
 from stayput.motion.readers.text import Reader, check_count, lines, not_as_stated, numbers, quantity, words
-from stayput.motion.units import acceleration_unit, stated_unit, time_step
+from stayput.motion.units import acceleration_unit, not_acceleration, stated_unit, time_step
 
 _WORD = re.compile(r"[A-Z]+")
 _NAMED = re.compile(r"NPTS ?[=:] ?([^ ,=:]{1,40}) ?,? ?DT ?[=:] ?(.+)", re.IGNORECASE)
@@ -77,8 +77,7 @@ def _read_peer(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     # The last such line: the first one may hold any text.
     kind = next((line for line in titles[::-1] if "UNITS" in line.upper() or "TIME" in line.upper()), "")
     if other := _OTHER.search(kind):
-        named = phrase(f"motion.{'velocity' if other[1] else 'displacement'}")
-        raise InputError("motion.not_acceleration", where=excerpt(kind), quantity=named)
+        raise not_acceleration(kind, "velocity" if other[1] else "displacement")
     factor = acceleration_unit(stated_unit(kind) or stated_unit(" ".join(titles)), unit, " ".join(titles))
     match = _NAMED.search(size) or _BARE.fullmatch(size)
     if match is None:

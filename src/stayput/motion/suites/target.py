@@ -318,12 +318,6 @@ class _FilteredComponent:
         return np.log(np.maximum(spectrum.sa, 1e-12))
 
 
-def vertical_ratio(periods: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the ratio of the vertical target to the horizontal one at periods [s], shape of them."""
-    at, ratio = zip(*VERTICAL, strict=True)
-    return np.exp(np.interp(np.log(periods), np.log(at), np.log(ratio)))
-
-
 def matched(
     motions: Sequence[Motion],
     target: TargetSpectrum,
@@ -408,7 +402,8 @@ def _suite_gains(
             continue
         wanted = np.log(target(periods))
         if name == "z":
-            wanted += np.log(vertical_ratio(periods))
+            at, ratio = zip(*VERTICAL, strict=True)
+            wanted += np.interp(np.log(periods), np.log(at), np.log(ratio))
         gain = gains[name] = np.zeros(len(periods))
         least = np.inf
         with Pool(threads) as pool:
