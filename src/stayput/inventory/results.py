@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
-import io
 import itertools
 from collections.abc import Callable, Mapping
 from enum import StrEnum
@@ -285,12 +283,10 @@ def write_results(
         rows, digest = outcomes.part(name) or (0, None)
         if not (folder / name).exists() or digest_of(folder / name) != digest:
             table = pa.Table.from_pylist(_lines(work.store.part(number), work), schema=columns)
-            buffer = io.BytesIO()
-            arrow("parquet").write_table(table, buffer, compression="zstd", row_group_size=20_000)
             with space.durable(folder / name) as file:
-                file.write(buffer.getvalue())
+                arrow("parquet").write_table(table, file, compression="zstd", row_group_size=20_000)
             rows = table.num_rows
-            outcomes.complete(name, rows, hashlib.sha256(buffer.getvalue()).hexdigest())
+            outcomes.complete(name, rows, digest_of(folder / name))
         advance(rows)
 
 

@@ -165,10 +165,8 @@ def _of_csv(path: Path, wanted: str | None) -> ShakeMap:
             for number, row in enumerate(reader, 2):
                 if any(cell.strip() for cell in row):
                     if len(row) != len(header):
-                        where = phrase("inventory.row", row=number)
-                        raise InputError("inventory.row_length", cells=len(row), columns=len(header)).at(
-                            where
-                        )
+                        other_length = InputError("inventory.row_length", cells=len(row), columns=len(header))
+                        raise other_length.at(phrase("inventory.row", row=number))
                     lat, lon, value, *sigma = (
                         _checked(number, name, row[n], limit)
                         for name, n, limit in zip(names, columns, limits, strict=False)
