@@ -22,7 +22,6 @@ from typing import TYPE_CHECKING, cast
 import uvicorn
 from fastapi import FastAPI
 from fastapi.exceptions import RequestValidationError
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from starlette.exceptions import HTTPException
 from starlette.middleware.gzip import GZipMiddleware
 from starlette.responses import RedirectResponse, Response
@@ -40,7 +39,7 @@ from stayput.app.running import simulated
 from stayput.app.service import Service
 from stayput.catalogue import LANGUAGES, TEXTS, Language, earthquake, page, phrase, room_page, say
 from stayput.errors import InputError, InputWarning, reason_of
-from stayput.report.page import inks_css
+from stayput.report.page import inks_css, rendered
 from stayput.scenario import Scenario
 from stayput.scenario.measures import YOURS
 from stayput.verification import verify
@@ -93,20 +92,12 @@ def _names(package: str, folder: str) -> list[str]:
 @cache
 def page_of(folder: str) -> str:
     """Return a page: its file, with what both pages have, and with all modules asked for at once."""
-    templates = Environment(
-        loader=PackageLoader("stayput.app"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    package, name = FOLDERS[folder]
     # A browser that learned of each module from the one that imports it would wait for one after the other.
     needed = dict.fromkeys(("", "canvas", folder))
     modules = [f"{path}/{file}" for path in needed for file in _names(*FOLDERS[path]) if file.endswith(".js")]
     home = "../" if folder else ""
-    html = resources.files(package).joinpath(name, "index.html").read_text(encoding="utf-8")
-    return templates.from_string(html).render(modules=[home + module.lstrip("/") for module in modules])
+    addresses = [home + module.lstrip("/") for module in modules]
+    return rendered(f"{FOLDERS[folder][1]}/index.html", {"modules": addresses}, "app")
 
 
 @cache

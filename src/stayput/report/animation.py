@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
+from markupsafe import Markup
 from numpy.typing import NDArray
 from PIL import Image
 
@@ -21,7 +22,7 @@ from stayput.report.film.frames import Painter
 from stayput.report.film.scene import DRIFT_CORNER, FilmScene, posed, scene_of
 from stayput.report.history import AFTER, cut_run, peak_told, telling, window_of
 from stayput.report.names import motion_label, names_of
-from stayput.report.page import Player, file_of, filled, inks_css, script_json, script_module
+from stayput.report.page import Player, file_of, inks_css, rendered, script_json, script_module
 from stayput.report.palette import stability_looks
 from stayput.report.summary import sentences
 from stayput.wording import check_language
@@ -235,9 +236,9 @@ def player_page(film: Film, speed: float, hold: float, *, plays: bool = True) ->
         "texts": texts,
     }
     script = script_module(file_of("film/player.js"))
-    code = {"inks": inks_css(), "data": script_json(data), "code": script}
+    code = {"inks": Markup(inks_css()), "data": Markup(script_json(data)), "code": Markup(script)}
     said = {"language": film.language, "title": film.title, "caption": film.caption}
-    return filled(file_of("film/player.html"), {**texts, **said}, code)
+    return rendered("film/player.html", {**texts, **said, **code})
 
 
 def frame_times(start: float, end: float, fps: float, speed: float, hold: float) -> NDArray[np.float64]:

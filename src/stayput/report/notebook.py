@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 import math
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
@@ -15,6 +14,7 @@ from stayput.report.building import draw_modes
 from stayput.report.figures import embedded, figure_of
 from stayput.report.fragility import draw_curve, draw_ranking
 from stayput.report.names import motion_label
+from stayput.report.page import rendered
 from stayput.report.plot import plot_motion, plot_run
 from stayput.report.section import draw_body_in_room
 from stayput.report.spectra import draw_spectrum, draw_suite, suite_title
@@ -160,14 +160,5 @@ def _intensity(motion: Motion) -> str:
 
 def _shown(said: str, figure: Figure, table: Iterable[Sequence[str]], heads: Sequence[str] = ()) -> str:
     """Return a sentence, a picture and a table as HTML that needs nothing else."""
-    cells = "".join(f"<th>{html.escape(head)}</th>" for head in heads)
-    head = f"<thead><tr>{cells}</tr></thead>" if heads else ""
-    lines = [
-        f"<tr><th>{html.escape(first)}</th>{''.join(f'<td>{html.escape(cell)}</td>' for cell in rest)}</tr>"
-        for first, *rest in table
-    ]
-    return (
-        f'<div><p>{html.escape(said)}</p><img style="max-width: 100%; height: auto; background: white" '
-        f'alt="{html.escape(said)}" src="{embedded(figure, "png")}">'
-        f"<table>{head}<tbody>{''.join(lines)}</tbody></table></div>"
-    )
+    content = {"said": said, "picture": embedded(figure, "png"), "heads": heads, "table": table}
+    return rendered("notebook.html", content)

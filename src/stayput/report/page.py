@@ -47,10 +47,10 @@ def write_page(path: str | Path, language: str, page: Callable[[], str]) -> Path
     return target
 
 
-def rendered(template: str, content: Mapping[str, Any]) -> str:
-    """Return a template of the package `stayput.report`, by its path there, with its content filled in."""
+def rendered(template: str, content: Mapping[str, Any], package: str = "report") -> str:
+    """Return a template of a package of `stayput`, by its path there, with its content filled in."""
     pages = Environment(
-        loader=PackageLoader("stayput", "report"),
+        loader=PackageLoader("stayput", package),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,
@@ -182,20 +182,3 @@ def inks_css() -> str:
     """Return the colours of a scene in both themes, as the text of a style sheet."""
     steps = "".join(f"  --{step}: {colour};\n" for step, colour in STABILITY_COLOURS.items())
     return f":root {{\n{steps}}}\n" + canvas_files()["inks.css"].read_text(encoding="utf-8")
-
-
-def filled(page: str, texts: Mapping[str, str], code: Mapping[str, str]) -> str:
-    """Return a page with what stands for its marks in double braces.
-
-    Parameters
-    ----------
-    page : str
-        HTML.
-    texts : mapping of str
-        Texts by their marks.
-    code : mapping of str
-        Style sheets, scripts and data by their marks, which stand as they are.
-    """
-    parts = {**{key: html.escape(text) for key, text in texts.items()}, **code}
-    # In one pass, as a title may hold a mark.
-    return re.sub(r"\{\{(\w+)\}\}", lambda mark: parts[mark[1]], page)
