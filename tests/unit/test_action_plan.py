@@ -23,7 +23,7 @@ from stayput.measures.measure import Grade
 from stayput.mechanics.devices.columns import DEVICE
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.report.room.card import plan_html
-from stayput.report.room.elevation import ELEVATION_SCALES, SIZES, elevation_scale, size_on_paper, sizes_of
+from stayput.report.room.elevation import ELEVATION_SCALES, SIZES, elevation_scale, elevation_svg, sizes_of
 from stayput.rooms.purchases import MARGIN, QUANTILE, DeviceForces, Purchase, purchases_of, quantile_of
 from stayput.rooms.step_words import changes_nothing, checks, measures_on, not_strong_enough, what_it_brings
 from stayput.uncertainty import USUAL
@@ -250,8 +250,10 @@ def test_drawings_are_larger_where_there_are_fewer_steps(plan: sp.ActionPlan):
         page, sizes, fixes_drawn = plan_html(several), sizes_of(several), [step.fix] * count
         scales.append(scale_of(page, "elevations"))
         assert scales[-1] == elevation_scale(fixes_drawn, sizes)
-        high = sum(size_on_paper(one, scales[-1])[1] for one in fixes_drawn)
-        assert high <= sizes.elevations[1] or scales[-1] == ELEVATION_SCALES[-1]
+        drawn = re.search(r"height:([\d.]+)mm", elevation_svg(step.fix, step.what, scales[-1], "en"))
+        assert drawn is not None
+        high = count * float(drawn[1]) * 1e-3
+        assert high <= sizes.elevations[1] + 1e-4 * count or scales[-1] == ELEVATION_SCALES[-1]
         assert f"--letters: {sizes.letters}pt" in page
     assert scales == sorted(set(scales))
     letters = [sizes.letters for sizes in SIZES]

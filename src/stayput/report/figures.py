@@ -77,8 +77,9 @@ def _with_letters(text: str) -> str:
         return text
     other = _other(missing)
     nowhere = missing if other is None else missing - _characters(other)
-    if nowhere:
-        _warn("".join(sorted(nowhere))[:10])
+    if nowhere and not _warned:
+        _warned.update(nowhere)
+        warn(InputWarning("runs.no_letters", letters="".join(sorted(nowhere))[:10], shown=_LEFT_OUT))
     return _without(text, nowhere)
 
 
@@ -181,12 +182,6 @@ def _family(file: Path) -> str:
 _warned: set[str] = set()
 
 
-def _warn(characters: str) -> None:
-    if not _warned:
-        _warned.add(characters)
-        warn(InputWarning("runs.no_letters", letters=characters, shown=_LEFT_OUT))
-
-
 LINE = "drawn"
 """What marks the line of a value on axes, by which the lines there are counted."""
 
@@ -225,9 +220,9 @@ def label_axes(axis: Axes, language: str, x: str = "", y: str = "", **values: ob
         axis.set_ylabel(say(y, language, **values), fontsize=FONT)
 
 
-def legend_within(axis: Axes, place: Literal["best", "upper right", "lower left"] = "best") -> None:
+def legend_within(axis: Axes) -> None:
     """Explain the lines of an axis within it."""
-    axis.legend(loc=place, fontsize=FONT - 1.5, framealpha=0.85)
+    axis.legend(loc="best", fontsize=FONT - 1.5, framealpha=0.85)
 
 
 def axes_of(ax: Axes | None) -> Axes:
@@ -313,16 +308,14 @@ def grey_after_fall(axis: Axes, piece: PieceRun, time: NDArray[Any], *line: NDAr
         axis.plot(*(part[fell] for part in line), color=FAINT, linewidth=2.4, zorder=4)
 
 
-def plain_log(axis: Axes, *, x: bool = True, y: bool = True) -> None:
-    """Make axes logarithmic, with numbers instead of powers."""
-    if x:
-        axis.set_xscale("log")
+def plain_log(axis: Axes, *, y: bool = True) -> None:
+    """Make x logarithmic, and y too or not, with numbers instead of powers."""
+    axis.set_xscale("log")
     if y:
         axis.set_yscale("log")
-    for wanted, line in ((x, axis.xaxis), (y, axis.yaxis)):
-        if wanted:
-            line.set_major_formatter(StrMethodFormatter("{x:g}"))
-            line.set_minor_formatter(NullFormatter())
+    for line in (axis.xaxis, axis.yaxis) if y else (axis.xaxis,):
+        line.set_major_formatter(StrMethodFormatter("{x:g}"))
+        line.set_minor_formatter(NullFormatter())
 
 
 def shaded_classes(axis: Axes, first: float, last: float, language: str) -> Iterator[tuple[float, str]]:
@@ -342,17 +335,10 @@ def shaded_classes(axis: Axes, first: float, last: float, language: str) -> Iter
     tuple
         The middle of a class within the ends, and its name.
     """
-    for shaded, name, low, high in classes_between(first, last):
-        if shaded:
-            axis.axvspan(low, high, color=FAINT, alpha=0.35, linewidth=0.0, zorder=0)
-        if high - low > 0.05 * (last - first):
-            yield 0.5 * (low + high), drawable(say(INTENSITIES[name], language).removeprefix("震度"))
-
-
-def classes_between(first: float, last: float) -> Iterator[tuple[bool, str, float, float]]:
-    """Yield JMA's classes between two intensities: whether one is shaded, every second, its name and ends."""
     ends = [start for _, start in CLASSES[1:]] + [math.inf]
     for place, ((name, start), end) in enumerate(zip(CLASSES, ends, strict=True)):
         low, high = max(start, first), min(end, last)
-        if high > low:
-            yield place % 2 == 1, name, low, high
+        if place % 2 == 1 and high > low:
+            axis.axvspan(low, high, color=FAINT, alpha=0.35, linewidth=0.0, zorder=0)
+        if high - low > 0.05 * (last - first):
+            yield 0.5 * (low + high), drawable(say(INTENSITIES[name], language).removeprefix("震度"))

@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from stayput.measures import DeviceResult
-    from stayput.motion.record import Motion
     from stayput.simulation.run import PieceRun, Run
 
 
@@ -296,7 +295,10 @@ def summary(run: Run) -> dict[str, Any]:
         "outcome": run.outcome.value,
         "end_time_s": number(run.end),
         "pieces": piece_results(run),
-        "motion": motion_data(run.motion),
+        "motion": {
+            **attributes(run.motion, "name", "source", "synthetic", "dt_s", "duration_s", "pga_m_s2"),
+            "floor": run.motion.floor or None,
+        },
         "measures": [measure.kind for measure in run.measures],
         "devices": [
             {key: device[name] for key, name in DEVICE_KEYS.items()}
@@ -305,14 +307,6 @@ def summary(run: Run) -> dict[str, Any]:
             for device in [device_results(result)]
         ],
         **of_engine,
-    }
-
-
-def motion_data(motion: Motion) -> dict[str, Any]:
-    """Return what a motion is as plain values."""
-    return {
-        **attributes(motion, "name", "source", "synthetic", "dt_s", "duration_s", "pga_m_s2"),
-        "floor": motion.floor or None,
     }
 
 

@@ -103,7 +103,8 @@ class Painter:
         self._draw_shadows(scene, camera, corners)
         draw = ImageDraw.Draw(scene)
         pen = ImageDraw.Draw(scene, "RGBA")  # which mixes colours
-        beyond = [_faces(camera, opening) for opening in self._openings]  # of walls that are seen from within
+        # of walls that are seen from within
+        beyond = [shape.normals[0] @ (camera.place - shape.faces[0][0]) > 0.0 for shape in self._openings]
         for swing in self._swings:
             _draw_still(pen, camera, self._line, swing)
         for opening, behind in zip(self._openings, beyond, strict=True):
@@ -308,11 +309,6 @@ def _draw_still(draw: ImageDraw.ImageDraw, camera: Camera, line: int, still: Sti
     for points in still.lines:
         for ends in pairwise(points):
             _stroke(draw, camera.seen(np.array(ends)), palette.rgb(look.colour), line)
-
-
-def _faces(camera: Camera, opening: StillShape) -> bool:
-    """Return whether the camera is on that side of an opening's wall on which the room is."""
-    return bool(opening.normals[0] @ (camera.place - opening.faces[0][0]) > 0.0)
 
 
 def _hull_of(shape: SolidShape, corners: NDArray[np.float64], turn: NDArray[np.float64]) -> DrawnHull:

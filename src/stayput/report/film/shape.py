@@ -242,14 +242,10 @@ class StillShape(NamedTuple):
 
 
 def still_of(run: Run) -> tuple[StillShape, ...]:
-    """Return what is drawn of the doors, windows and places of a run's room, below its ceiling."""
-    if run.plan is None:
+    """Return what is drawn of the doors, windows and places of a run's room; a ceiling ends the openings."""
+    if (plan := run.plan) is None:
         return ()
-    return still_shapes(run.plan, math.inf if run.room.ceiling is None else run.room.ceiling.height)
-
-
-def still_shapes(plan: FloorPlan, ceiling: float = math.inf) -> tuple[StillShape, ...]:
-    """Return what is drawn of doors, windows and places; a ceiling, at its height [m], ends the openings."""
+    ceiling = math.inf if run.room.ceiling is None else run.room.ceiling.height
     shapes: list[StillShape] = []
     for window in plan.windows:
         top = min(window.sill + _WINDOW_HEIGHT, ceiling)
@@ -257,7 +253,9 @@ def still_shapes(plan: FloorPlan, ceiling: float = math.inf) -> tuple[StillShape
             shapes.append(_opening(plan, window.wall, (window.start, window.width), (window.sill, top)))
     for door in plan.doors:
         frame = _opening(plan, door.wall, (door.start, door.width), (0.0, min(_DOOR_HEIGHT, ceiling)))
-        shapes.append(StillShape("door", frame.faces, (*frame.lines, *_swing(plan, door))))
+        swing = swing_of(plan, door, _ARC) if door.opens == "inwards" else ()
+        on_floor = (np.column_stack((line, np.zeros(len(line)))) for line in swing)
+        shapes.append(StillShape("door", frame.faces, (*frame.lines, *on_floor)))
     for place in plan.places:
         if place.low > 0.0:
             shapes.append(_box("furniture", place.corners, 0.0, place.low))
@@ -294,13 +292,6 @@ def _opening(
     first, last = ends if wall in ("left_wall", "far_side_wall") else ends[::-1]
     frame = np.array([(*first, low), (*last, low), (*last, high), (*first, high)])
     return StillShape("window", (frame,), (_closed(frame),))
-
-
-def _swing(plan: FloorPlan, door: Door) -> list[NDArray[np.float64]]:
-    """Return on the floor the leaf of a door that opens inwards, and the way of its edge."""
-    if door.opens != "inwards":
-        return []
-    return [np.column_stack((line, np.zeros(len(line)))) for line in swing_of(plan, door, _ARC)]
 
 
 def swing_of(plan: FloorPlan, door: Door, parts: int) -> tuple[list[tuple[float, float]], ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -77,7 +77,7 @@ def plan_html(plan: ActionPlan, language: str = "en") -> str:
             for name, reasons in plan.not_taken.items()
         ],
         "rough": any(step.grade == max(MEANINGS) for step in plan.steps),
-        "weakest": listed_once(plan, lambda step: [joined(item.label for item in step.weakest)], language),
+        "weakest": _weakest(plan, language),
         "notes": [say(note, language) for note in _notes(plan)],
     }
     return rendered("room/card.html", content)
@@ -142,15 +142,13 @@ def _plan(
     return Markup(re.sub("<svg ", f'<svg style="width:{wide}" ', drawing.svg, count=1)), scale, drawing.legend
 
 
-def listed_once(
-    plan: ActionPlan, of: Callable[[PlanStep], Iterable[Phrase]], language: str
-) -> list[tuple[str, str]]:
-    """Return what is said of steps, each sentence once, with the numbers of the steps before it."""
-    numbered: dict[str, list[int]] = {}
+def _weakest(plan: ActionPlan, language: str) -> list[tuple[str, str]]:
+    """Return the weakest inputs of the steps, each list of them once, with the steps' numbers before it."""
+    numbered: dict[str, list[str]] = {}
     for number, step in enumerate(plan.steps, 1):
-        for sentence in of(step):
-            numbered.setdefault(say(sentence, language), []).append(number)
-    return [(", ".join(map(str, numbers)), sentence) for sentence, numbers in numbered.items()]
+        inputs = say(joined(item.label for item in step.weakest), language)
+        numbered.setdefault(inputs, []).append(str(number))
+    return [(", ".join(numbers), inputs) for inputs, numbers in numbered.items()]
 
 
 def _checks(plan: ActionPlan, language: str) -> list[tuple[str, str]]:
@@ -177,7 +175,7 @@ def _checks(plan: ActionPlan, language: str) -> list[tuple[str, str]]:
 
 
 def _row(number: int, plan: ActionPlan, scale: int, language: str) -> dict[str, Any]:
-    """Return a step as it is read; what is known of its inputs is for the screen, see `listed_once`."""
+    """Return a step as it is read; what is known of its inputs is for the screen, see `_weakest`."""
     step, text = plan.steps[number - 1], partial(_own, language)
     grade = {"grade": step.grade.value, "meaning": MEANINGS[step.grade]}
     return {

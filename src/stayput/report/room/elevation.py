@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.catalogue import say
@@ -90,15 +90,8 @@ def elevation_svg(fix: Fix, name: str, scale: int, language: str) -> str:
     )
 
 
-def size_on_paper(fix: Fix, scale: int) -> tuple[float, float]:
-    """Return how wide and how high an elevation is on paper [m]; see `elevation_svg`."""
-    view = _view(fix, scale)
-    return UNIT * view.width, UNIT * view.height
-
-
 def _view(fix: Fix, scale: int) -> _View:
-    base = fix.piece.at[2]
-    return _View(held_by(fix), base, 1.0 / (scale * UNIT))
+    return _View(held_by(fix), fix.piece.at[2], 1.0 / (scale * UNIT))
 
 
 class _View:
@@ -192,8 +185,8 @@ class _View:
             )
 
     def side(self) -> Iterator[str]:
-        """Yield the side, with the wall behind, and the devices as they are."""
-        held = self.held
+        """Yield the side, with the wall behind, and the piece at rest with the devices as they are."""
+        held, (a, b, c, d) = self.held, standing_corners(self.held.body, State())
         wall = self.side_at + self.metre * self.wall
         right = self.side_at + self.metre * (0.5 * self.depth + 0.1)
         yield svg.line(wall, self.up(0.0), right, self.up(0.0), "face")
@@ -206,7 +199,14 @@ class _View:
         def place(x: float, z: float) -> tuple[float, float]:
             return self.side_at + self.metre * x, self.up(self.base + z)
 
-        yield from _piece_svg(held, place)
+        yield svg.polygon([place(*corner) for corner in (a, b, d, c)], "piece")
+        for shape in sketch(held):
+            points = [place(*point) for point in shape.points]
+            if shape.kind == "polygon":
+                yield svg.polygon(points, f"shape {shape.role}")
+            else:
+                across, up = zip(*points, strict=True)
+                yield svg.polyline(across, up, f"shape {shape.role} open")
 
     def names(self, language: str) -> Iterator[str]:
         """Yield which view is which."""
@@ -230,25 +230,10 @@ def plan_scale(metres: Sequence[float], sizes: CardSizes) -> int:
 
 def elevation_scale(fixes: Sequence[Fix], sizes: CardSizes) -> int:
     """Return the largest scale to which all elevations are drawn."""
-    wide, high = sizes.elevations
+    wide, high = (size / UNIT for size in sizes.elevations)
 
     def fits(scale: int) -> bool:
-        drawn = [size_on_paper(fix, scale) for fix in fixes]
-        return all(width <= wide for width, _ in drawn) and sum(height for _, height in drawn) <= high
+        views = [_view(fix, scale) for fix in fixes]
+        return all(view.width <= wide for view in views) and sum(view.height for view in views) <= high
 
     return next(filter(fits, ELEVATION_SCALES), ELEVATION_SCALES[-1])
-
-
-def _piece_svg(held: Held, place: Callable[[float, float], tuple[float, float]]) -> list[str]:
-    """Return a piece at rest with its devices, whose points of the room [m] are placed on a drawing."""
-    body = held.body
-    a, b, c, d = standing_corners(body, State())
-    parts = [svg.polygon([place(*corner) for corner in (a, b, d, c)], "piece")]
-    for shape in sketch(held):
-        points = [place(*point) for point in shape.points]
-        if shape.kind == "polygon":
-            parts.append(svg.polygon(points, f"shape {shape.role}"))
-        else:
-            across, up = zip(*points, strict=True)
-            parts.append(svg.polyline(across, up, f"shape {shape.role} open"))
-    return parts

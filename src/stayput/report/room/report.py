@@ -19,7 +19,7 @@ from stayput.report.verdict.html import shared_content
 from stayput.simulation.space_fate import FALLS_FROM, MAY_FALL_FROM
 from stayput.verification import room_words
 from stayput.verification.events import PASSAGE
-from stayput.verification.people import CRUSHING_ENERGY, DAY_HOURS, HitVerdict, People, presence
+from stayput.verification.people import CRUSHING_ENERGY, DAY_HOURS, People, presence
 from stayput.wording import with_aside
 
 if TYPE_CHECKING:
@@ -133,7 +133,8 @@ def sections(verdict: Verdict, options: Sequence[OptionVerdict], language: str) 
         places.append((name, *map(TableCell, (p.hit, p.crushed, p.touched)), *times))
         shut_in.append((name, known(p.shut_in, p.shut_in_at_rest)))
         for hit in p.by:
-            piece = TableCell(tell(room_words.piece_name(hit.piece)), tell(hit_by(hit)))
+            how = "rooms.by_falling" if hit.by_falling else "rooms.by_touching"
+            piece = TableCell(tell(room_words.piece_name(hit.piece)), tell(how))
             speed = both(numbers.speed(hit.speed.median), numbers.speed(hit.speed.p90))
             energy = both(numbers.energy(hit.energy.median), numbers.energy(hit.energy.p90))
             hits.append((name, piece, TableCell(hit.probability), speed, energy, numbers.mass(hit.mass)))
@@ -170,11 +171,6 @@ def sections(verdict: Verdict, options: Sequence[OptionVerdict], language: str) 
         section("pieces", of_pieces, pieces, harm=own("harm_text") if somebody else ""),
         section("changes", of_changes, changes, "no_changes"),
     ]
-
-
-def hit_by(hit: HitVerdict) -> str:
-    """Return the id of how a piece comes to somebody: it falls on them, or touches them."""
-    return "rooms.by_falling" if hit.by_falling else "rooms.by_touching"
 
 
 def _change(option: OptionVerdict, verdict: Verdict, language: str) -> Row:

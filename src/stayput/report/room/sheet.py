@@ -100,10 +100,9 @@ class PlanSheet:
         return (self.place(x, y) for x, y in np.asarray(points, np.float64).tolist())
 
 
-def titled(title: str, *content: str, class_: str = "") -> str:
+def titled(title: str, *content: str) -> str:
     """Return parts of a picture as a group that a screen reader and the pointer name."""
-    attributes = {"class_": class_} if class_ else {}
-    return svg.element("g", svg.element("title", escape(title)) + "".join(content), **attributes)
+    return svg.element("g", svg.element("title", escape(title)) + "".join(content))
 
 
 ARC = 24

@@ -47,15 +47,6 @@ def told(assumptions: Iterable[Assumption], language: str) -> list[tuple[str, st
     return [(say(item.what, language), say(item.value, language), item.confidence) for item in assumptions]
 
 
-LIMITS = (
-    "room_report.limit_persons",
-    "room_report.limit_passage",
-    "report.limit_contacts",
-    "report.limit_devices",
-)
-"""What the model leaves out: the first two of people."""
-
-
 def assumptions(verdict: Verdict) -> list[Assumption]:
     """Return the assumptions of a verdict, apart from the parameters of the measures; limits come last."""
     scenario = verdict.scenario

@@ -97,7 +97,7 @@ def verdict_dataset(verdict: Verdict) -> xr.Dataset:
 
 
 def _ends(value: Probability | Difference | None) -> Iterable[float | None]:
-    return (None,) * 3 if value is None else interval_data(value).values()
+    return (None,) * 3 if value is None else attributes(value, *_ENDS).values()
 
 
 def _rows(verdict: Verdict) -> Iterator[tuple[str, str, str, Probability, Difference | None]]:
@@ -152,7 +152,7 @@ def _step(step: PlanStep, plan: ActionPlan) -> dict[str, Any]:
         "at_m": None if move is None or move.at is None else list(move.at),
         "heading_rad": None if move is None else move.heading,
         **{name: None if fix is None else _fix(fix) for name, fix in fixes.items()},
-        "overturned": None if step.overturned is None else interval_data(step.overturned),
+        "overturned": interval_data(step.overturned),
         "alone": _effect(step.alone),
         "together": _effect(step.together),
         **attributes(step, "for_people", "decided", "cost_class"),
@@ -189,9 +189,7 @@ def _effect(effect: OptionVerdict) -> dict[str, Any]:
     return {
         **{name: value for name, value in people.items() if name not in ("places", "doors")},
         "overturned": [interval_data(piece.probabilities[OVERTURNED]) for piece in effect.pieces],
-        "overturned_change": [
-            None if piece.change is None else interval_data(piece.change) for piece in effect.pieces
-        ],
+        "overturned_change": [interval_data(piece.change) for piece in effect.pieces],
     }
 
 
@@ -373,7 +371,7 @@ def _piece(piece: PieceVerdict, counts: bool) -> dict[str, Any]:
         "name": piece.name,
         "counts": counts,
         "probabilities": {event: _probability(chance) for event, chance in piece.probabilities.items()},
-        "overturned_change": None if piece.change is None else interval_data(piece.change),
+        "overturned_change": interval_data(piece.change),
         **attributes(piece, "falls"),
         "harm_J": number(piece.harm),
         "peak_slide_m": quantiles_data(piece.slide),
@@ -389,10 +387,7 @@ def people_data(people: People) -> dict[str, Any]:
     return {
         "crushed_from_J": CRUSHING_ENERGY,
         **{name: interval_data(outlook.chance) for name, outlook in outlooks.items()},
-        **{
-            f"{name}_change": None if outlook.change is None else interval_data(outlook.change)
-            for name, outlook in outlooks.items()
-        },
+        **{f"{name}_change": interval_data(outlook.change) for name, outlook in outlooks.items()},
         "risk": number(people.risk),
         "harm_J": number(people.harm),
         "places": [
@@ -442,14 +437,14 @@ def _measure(measure: Measure) -> dict[str, Any]:
     return {"type": measure.kind, **values}
 
 
-def interval_data(chance: Probability | Difference) -> dict[str, Any]:
-    """Return a probability or a difference of two, with its interval."""
-    return attributes(chance, *_ENDS)
+def interval_data(chance: Probability | Difference | None) -> dict[str, Any] | None:
+    """Return a probability or a difference of two, with its interval; None of none."""
+    return None if chance is None else attributes(chance, *_ENDS)
 
 
 def _probability(chance: Probability) -> dict[str, Any]:
     counts = {"count": chance.fell, "runs": chance.runs, "missing": chance.missing}
-    return {**interval_data(chance), **counts, "text": chance.text}
+    return {**attributes(chance, *_ENDS), **counts, "text": chance.text}
 
 
 def quantiles_data(quantiles: Quantiles) -> dict[str, float | None]:

@@ -12,7 +12,7 @@ from stayput.catalogue import Phrase, say
 from stayput.files import csv_text
 from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures.measure import MEANINGS
-from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED, Quantiles
+from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED
 from stayput.report.names import place_named
 from stayput.report.summary import number
 from stayput.report.verdict import numbers
@@ -327,7 +327,8 @@ def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
     for event, chance in result.probabilities.items():
         record |= {**_ends(event, chance), f"{event}_count": chance.fell}
     record |= {"runs": shares.runs, "missing": shares.missing}
-    record |= flat_quantiles(peak_slide_m=result.slide, peak_tilt_rad=result.tilt)
+    for key, quantiles in (("peak_slide_m", result.slide), ("peak_tilt_rad", result.tilt)):
+        record |= {f"{key}_median": number(quantiles.median), f"{key}_p90": number(quantiles.p90)}
     for piece in () if alone else result.pieces:
         record[f"overturned: {piece.name}"] = number(piece.probabilities[OVERTURNED].estimate)
     for share in SHARES if alone else ():
@@ -340,15 +341,6 @@ def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
     if alone:
         record["overturned_as_installed"] = result.installed and number(result.installed.usual[OVERTURNED])
     return {**record, "not_possible": None}
-
-
-def flat_quantiles(**each: Quantiles) -> dict[str, float | None]:
-    """Return quantiles as plain values, by their names and what they are of."""
-    return {
-        f"{name}_{quantile}": number(getattr(quantiles, quantile))
-        for name, quantiles in each.items()
-        for quantile in ("median", "p90")
-    }
 
 
 def contents_data(contents: ContentsVerdict) -> dict[str, float | None]:
