@@ -17,14 +17,13 @@ from stayput.model.parameters import SIZE_RANGE, parameters
 from stayput.model.room import WALLS_AROUND
 from stayput.scenario.fields import Table, Text, ValueTable, between, checked, fields_of, named, one_of
 from stayput.scenario.measures import SingleChoice
-from stayput.scenario.tables import Heading, Kind, Loads, usual_of
+from stayput.scenario.tables import Heading, Kind, Loads, PythonTable, usual_of
 from stayput.simulation.piece import BEHIND, Piece
 from stayput.simulation.scene import STRENGTH_RANGE, Joint
 
 if TYPE_CHECKING:
     from stayput.measures import Measure
 
-if TYPE_CHECKING:
     MeasuresInPlace = list[SingleChoice]
 else:
     MeasuresInPlace = Annotated[list[SingleChoice], Field(max_length=20)]
@@ -54,7 +53,7 @@ def _stand_in() -> Body:
 @fields_of(
     Body, optional=("width", "height", "mass", "base"), mass="Mass; with shelves, that of the empty carcass."
 )
-class PieceTable(ValueTable):
+class PieceTable(PythonTable, ValueTable):
     """A piece and where it stands: a preset with other fields or not, a box, a cylinder, a cone or a mesh."""
 
     name: Text | None = Field(
@@ -97,17 +96,6 @@ class PieceTable(ValueTable):
     )
 
     _in_python: Mapping[str, Any] = PrivateAttr(default_factory=dict[str, Any])
-
-    @property
-    def in_python(self) -> Mapping[str, Any]:
-        """The fields of its `Piece` that were given as Python objects and a file cannot state."""
-        return self._in_python
-
-    def with_python(self, fields: Mapping[str, Any]) -> Self:
-        """Return the same with fields of its `Piece` that a file cannot state."""
-        copy = self.model_copy()
-        copy._in_python = fields
-        return copy
 
     @property
     def own_measures(self) -> tuple[Measure, ...]:

@@ -246,7 +246,7 @@ class Scenario(SceneTables):
         """
         changed: dict[str, Any] = {}
         if motions is not None:
-            changed["shaking"] = self.shaking.with_motions(motions)
+            changed["shaking"] = self.shaking.with_python(motions)
         if quantities is not None:
             changed["uncertainty"] = self.uncertainty.with_quantities(quantities)
         if pieces is not None:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Literal, Self, TypeVar, cast
 
-from pydantic import AfterValidator, Discriminator, Field, PrivateAttr, Tag, model_validator
+from pydantic import AfterValidator, Discriminator, Field, Tag, model_validator
 
 from stayput.building.model import MOST_STOREYS
 from stayput.catalogue import phrase
@@ -31,7 +31,7 @@ from stayput.motion.suites.suite import Suite, read_suite
 from stayput.motion.suites.synthesis import MIXED, synthetic_suite
 from stayput.motion.synthetic import near_fault, sine
 from stayput.scenario import fields
-from stayput.scenario.tables import BuildingTable  # noqa: TC001 - pydantic reads the annotations
+from stayput.scenario.tables import BuildingTable, PythonTable
 
 Shaken = TypeVar("Shaken", Motion, Suite)
 
@@ -103,7 +103,7 @@ STRENGTHS = ("intensity", "pga", "pgv", "sa", "mmi", "earthquake")
 """Ways to say how strongly the ground shakes."""
 
 
-class ShakingTable(fields.Table):
+class ShakingTable(PythonTable):
     """How the floor is shaken: a record, a sine, a built-in motion or a suite, and the building between."""
 
     record: fields.Text | None = Field(
@@ -200,27 +200,11 @@ class ShakingTable(fields.Table):
         self.refuse_several("shaking", (*STRENGTHS, "scale"))
         if self.member is not None and not self.of_a_suite:
             raise InputError("common.left_out", "shaking.member", where=phrase("scenario.member_of_one"))
-        self._check_building()
-        return self
-
-    def _check_building(self) -> None:
         self.refuse_single("shaking", "building", "storey")
         if self.building is not None and self.storey is not None and self.storey > self.building.highest():
             allowed = phrase("scenario.roof", roof=self.building.highest())
             raise not_allowed("shaking.storey", str(self.storey), allowed, "shaking.storey")
-
-    _in_python: Suite | None = PrivateAttr(default=None)
-
-    @property
-    def in_python(self) -> Suite | None:
-        """The motions that were given as Python objects, in the place of those of a file."""
-        return self._in_python
-
-    def with_motions(self, motions: Suite) -> Self:
-        """Return the same with motions of Python in the place of its own."""
-        copy = self.model_copy()
-        copy._in_python = motions
-        return copy
+        return self
 
     @property
     def of_a_suite(self) -> bool:

@@ -27,6 +27,23 @@ Kind = Annotated[str, field.one_of(FURNITURE, "preset"), field.named(FURNITURE)]
 Heading = Annotated[float, field.between(-2.0 * math.pi, 2.0 * math.pi, "rad")]
 
 
+class PythonTable(field.Table):
+    """A table in whose place Python objects may stand that a file cannot state."""
+
+    _in_python: Any = PrivateAttr(default=None)
+
+    @property
+    def in_python(self) -> Any:
+        """What was given as Python objects and a file cannot state; None where nothing was."""
+        return self._in_python
+
+    def with_python(self, objects: Any) -> Self:
+        """Return the same with Python objects in its place, or in that of some of its fields."""
+        copy = self.model_copy()
+        copy._in_python = objects
+        return copy
+
+
 def usual_of(preset: str | None, *, loaded: bool = True) -> dict[str, Any]:
     """Return sizes, mass and base of a preset, loaded or as an empty carcass; nothing of none."""
     usual: dict[str, Any] = {} if preset is None else asdict(FURNITURE[preset])
@@ -174,7 +191,7 @@ REGULAR = ["storeys", "structure", "period", "storey_height", "nonlinear", "yiel
 
 
 @field.fields_of(Building)
-class BuildingTable(field.ValueTable):
+class BuildingTable(PythonTable, field.ValueTable):
     """The building: what people know of it, or masses and stiffnesses of one's own."""
 
     storeys: int | None = field.of(Building, "storeys", default=None)
@@ -189,8 +206,6 @@ class BuildingTable(field.ValueTable):
     stiffnesses: Stiffnesses | None = Field(
         default=None, description="Shear stiffness of the storey below each."
     )
-
-    _in_python: Building | ShearModel | None = PrivateAttr(default=None)
 
     @model_validator(mode="wrap")
     @classmethod
@@ -209,14 +224,7 @@ class BuildingTable(field.ValueTable):
             }
         usual = {name: about.default for name, about in cls.model_fields.items()}
         table = cls.model_validate({key: value for key, value in fields.items() if value != usual[key]})
-        if table.building() != building:
-            table._in_python = building
-        return table
-
-    @property
-    def in_python(self) -> Building | ShearModel | None:
-        """The building that was given as a Python object and that a file cannot say."""
-        return self._in_python
+        return table if table.building() == building else table.with_python(building)
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
