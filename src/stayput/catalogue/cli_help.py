@@ -3,8 +3,6 @@
 The first paragraph of a command also stands in the list of commands, and beside its name in a shell.
 """
 
-from __future__ import annotations
-
 TEXTS: dict[str, tuple[str, str]] = {
     # Headings, and what stands in brackets after a text; Typer has the English ones
     "usage": ("Usage", "使い方"),

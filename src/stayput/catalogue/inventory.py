@@ -51,7 +51,6 @@ TEXTS: dict[str, tuple[str, str]] = {
                       "結合を解除して各行に値を入れ、見出しは1行にしてください。")),
     "of_a_piece": ("that of a piece, and not of a total", "合計ではない家具のもの"),
     "cell_unit": ("a number that is shown in {unit}", "単位{unit}付きで表示される数値"),
-    "characters": ("characters", "文字数"),
     "plain_number": ("a plain number{unit}", "数値だけ{unit}"),
     "comma": ("written without its point or comma, which may be of decimals or of thousands",
               "点やコンマのない数値（小数点か桁区切りか分かりません）"),

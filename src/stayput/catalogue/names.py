@@ -3,8 +3,6 @@
 Keyed by the name of a preset or the value of an enumeration.
 """
 
-from __future__ import annotations
-
 FURNITURE: dict[str, tuple[str, str]] = {
     "bookcase": ("Bookcase, full", "本棚（本が入った状態）"),
     "empty bookcase": ("Bookcase, empty", "本棚（空）"),

@@ -1,7 +1,5 @@
 """Texts of the app's page; its script fills in what stands in braces."""
 
-from __future__ import annotations
-
 from stayput.catalogue.names import STABILITY
 
 SHARED = (

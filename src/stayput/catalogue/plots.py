@@ -25,7 +25,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "peak_velocity": ("Peak floor velocity [cm/s]", "最大床速度 [cm/s]"),
     "storey": ("Floor of storey ({roof}: roof)", "階の床（{roof}：屋上）"),
     "floor": ("Mass above the ground (0)", "地盤（0）からの質点"),
-    "ground": ("ground", "地盤"),
     "periods": ("natural periods", "固有周期"),
     "mode_shape": ("mode {number}, {period:.3g} s ({percent:.0f} % of the mass)",
                    "{number}次、{period:.3g} s（有効質量比{percent:.0f}%）"),

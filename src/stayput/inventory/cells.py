@@ -88,7 +88,7 @@ def plain(name: str, cell: Cell) -> str | float | int | None:
     if not cell:
         return None
     if len(cell) > LONGEST:
-        raise too_many(name, len(cell), "inventory.characters", LONGEST, name)
+        raise too_many(name, len(cell), "motion.characters", LONGEST, name)
     text = cell.strip()
     if has_control(text):
         raise not_allowed(name, shown(text), "common.plain_text", name)
@@ -116,7 +116,7 @@ def text_of(name: str, cell: Cell, longest: int = 200) -> str | None:
         value = int(value)
     text = None if value is None else str(value)
     if text is not None and len(text) > longest:
-        raise too_many(name, len(text), "inventory.characters", longest, name)
+        raise too_many(name, len(text), "motion.characters", longest, name)
     return text
 
 

@@ -146,7 +146,7 @@ def draw_modes(axis: Axes, model: ShearModel, modes: int, language: str) -> None
 
 def _draw_spectra(axis: Axes, response: FloorResponse, storeys: Sequence[int], language: str) -> None:
     ground = response.motion.spectrum()
-    axis.plot(ground.periods, ground.sa, color=INK, linewidth=1.6, label=say("plots.ground", language))
+    axis.plot(ground.periods, ground.sa, color=INK, linewidth=1.6, label=say("report.ground_name", language))
     for i, storey in enumerate(storeys):
         colour, line = LINES[i % len(LINES)]
         spectrum = response.floor(storey).spectrum()

@@ -6,6 +6,8 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
+from markupsafe import escape
+
 from stayput.catalogue import say
 from stayput.errors import InputError
 from stayput.model.room import Room
@@ -70,7 +72,7 @@ def curve_html(curve: FragilityCurve) -> str:
         for share in (0.1, 0.5, 0.9)
     ]
     if curve.lognormal is not None:
-        table.append((say("notebook.lognormal"), curve.lognormal.text))
+        table.append((say("fragility.lognormal"), curve.lognormal.text))
     return _shown(curve.text, figure_of(lambda axis: draw_curve(axis, curve, "en"), 7.0, 4.4), table)
 
 
@@ -80,8 +82,8 @@ def motion_html(motion: Motion) -> str:
     heads = ["", *peaks]
     intensity = _intensity(motion)
     table: list[Sequence[str]] = [
-        (say("notebook.pga"), *(f"{peak.pga:.3g}" for peak in peaks.values())),
-        (say("notebook.pgv"), *(f"{100.0 * peak.pgv:.3g}" for peak in peaks.values())),
+        (say("cli.pga"), *(f"{peak.pga:.3g}" for peak in peaks.values())),
+        (say("cli.pgv"), *(f"{100.0 * peak.pgv:.3g}" for peak in peaks.values())),
         (say("notebook.duration"), f"{motion.duration:.4g}"),
         (say("notebook.step"), f"{motion.dt:g}"),
     ]
@@ -100,7 +102,7 @@ def spectrum_html(spectrum: ResponseSpectrum) -> str:
 def suite_html(suite: Suite) -> str:
     """Return a suite as its spectra and a list of its first motions."""
     figure = figure_of(lambda axis: draw_suite(axis, suite, "spectra", None, "x", "en"), 6.8, 4.6)
-    keys = ("name", "pga", "pgv", "intensity", "duration")
+    heads = ("notebook.name", "cli.pga", "cli.pgv", "notebook.intensity", "notebook.duration")
     table = [
         (
             motion.name,
@@ -113,7 +115,7 @@ def suite_html(suite: Suite) -> str:
     ]
     if len(suite) > MOST_ROWS:
         table.append((say("inventory_tables.more_doubts", count=len(suite) - MOST_ROWS), "", "", "", ""))
-    return _shown(suite_title(suite, "en"), figure, table, [say(f"notebook.{key}") for key in keys])
+    return _shown(suite_title(suite, "en"), figure, table, list(map(say, heads)))
 
 
 def building_html(building: Building) -> str:
@@ -134,10 +136,10 @@ def body_html(body: Body) -> str:
     """Return a body as a drawing and the quantities of the rocking literature about its base corners."""
     figure = figure_of(lambda axis: draw_body_in_room(axis, body, Room(), "en"), 5.6, 4.6)
     table: list[Sequence[str]] = [
-        (say("notebook.size"), *(f"{value:.4g}" for value in body.size)),
-        (say("notebook.slenderness"), *(f"{value:.4g}" for value in body.slenderness)),
-        (say("notebook.frequency"), *(f"{value:.4g}" for value in body.frequency_parameter())),
-        (say("notebook.overturning"), *(f"{value:.4g}" for value in body.overturning_acceleration())),
+        ("R [m]", *(f"{value:.4g}" for value in body.size)),
+        ("α [rad]", *(f"{value:.4g}" for value in body.slenderness)),
+        ("p [rad/s]", *(f"{value:.4g}" for value in body.frequency_parameter())),
+        ("g tan α [m/s²]", *(f"{value:.4g}" for value in body.overturning_acceleration())),
     ]
     return _shown(repr(body), figure, table, ["", "A", "B"])
 
@@ -160,5 +162,6 @@ def _intensity(motion: Motion) -> str:
 
 def _shown(said: str, figure: Figure, table: Iterable[Sequence[str]], heads: Sequence[str] = ()) -> str:
     """Return a sentence, a picture and a table as HTML that needs nothing else."""
-    content = {"said": said, "picture": embedded(figure, "png"), "heads": heads, "table": table}
+    head, *body = [[escape(cell) for cell in row] for row in (heads, *table)]
+    content = {"said": escape(said), "picture": embedded(figure, "png"), "heads": head, "table": body}
     return rendered("notebook.html", content)

@@ -222,7 +222,7 @@ def tags(option: OptionVerdict) -> list[Phrase]:
     changes = [("fewer", name) for name in option.better] + [("more", name) for name in option.worse]
     # a way out that is free is more than a door
     shown = [(way, name) for way, name in changes if name != "blocked" or (way, "shut_in") not in changes]
-    return [phrase(f"rooms.{way}_{name}") for way, name in shown] or [phrase("rooms.nothing_clear")]
+    return [phrase(f"rooms.{way}_{name}") for way, name in shown] or [phrase("fragility.no_clear_difference")]
 
 
 def best_sentence(verdict: Verdict, language: str) -> str:
