@@ -246,21 +246,17 @@ def axes_of(ax: Axes | None) -> Axes:
 
 
 def plotted(ax: Axes | None, draw: Callable[..., Any], *arguments: Any, **line: Any) -> Axes:
-    """Draw on axes, or on those of a new figure, by a function that takes them first; return them."""
+    """Draw on axes, or on those of a new figure, by a function that takes them first; return them.
+
+    They have fonts with the letters of their texts. Texts that are written later, such as those of a legend
+    that is made anew, find the same fonts.
+    """
     axis = axes_of(ax)
     draw(axis, *arguments, **line)
-    return drawn(axis)
-
-
-def drawn(ax: Axes) -> Axes:
-    """Return axes once they are drawn: with fonts that have the letters of their texts.
-
-    Texts that are written later, such as those of a legend that is made anew, find the same fonts.
-    """
-    for family in with_fallback(ax):
+    for family in with_fallback(axis):
         if family not in mpl.rcParams["font.family"]:
             mpl.rcParams["font.family"] = [*mpl.rcParams["font.family"], family]
-    return ax
+    return axis
 
 
 def colour_beside(axis: Axes, first: str) -> str:

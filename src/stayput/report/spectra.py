@@ -115,14 +115,12 @@ def draw_suite(
     word_of("plots.what", what, get_args(SuiteSpectra), "what")
     damping = DAMPING if target is None else target.damping
     sa = suite.spectra(PERIODS, damping, component)
-    logs = np.log(np.maximum(sa, 1e-12))
-    scatter = logs.std(axis=0, ddof=1) if len(suite) > 1 else None
     first = COMPONENT_COLOURS[component]
     looks: dict[str, Any] = {"color": figures.colour_beside(axis, first), "gid": figures.LINE} | line
     if _holds_suite(axis):
         looks.setdefault("label", given_name(suite.name, language))
     if what == "spectra":
-        _draw_spectra(axis, sa, np.exp(logs.mean(axis=0)), scatter, looks, language)
+        _draw_spectra(axis, sa, looks, language)
         if target is not None:
             inside = (target.periods >= PERIODS[0]) & (target.periods <= PERIODS[-1])
             label = drawable(say("plots.target", language, name=given_name(target.name, language)))
@@ -130,7 +128,7 @@ def draw_suite(
             axis.plot(target.periods[inside], target.sa[inside], label=label, **dashed)
         figures.label_axes(axis, language, y="plots.sa_of", component=component, damping=100.0 * damping)
     else:
-        _draw_scatter(axis, scatter, looks, language)
+        _draw_scatter(axis, sa, looks, language)
         figures.plain_log(axis, y=False)
     figures.label_axes(axis, language, x="plots.period")
     named: dict[str, Any] = {}  # what is drawn for every suite alike stands once in the legend
@@ -144,14 +142,15 @@ def _holds_suite(axis: Axes) -> bool:
     return any(line.get_gid() == figures.LINE for line in axis.lines)
 
 
-def _draw_spectra(
-    axis: Axes,
-    sa: NDArray[np.float64],
-    median: NDArray[np.float64],
-    scatter: NDArray[np.float64] | None,
-    looks: dict[str, Any],
-    language: str,
-) -> None:
+def _logs(sa: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64] | None]:
+    """Return mean and standard deviation of ln Sa at each period; no deviation of one motion."""
+    logs = np.log(np.maximum(sa, 1e-12))
+    return logs.mean(axis=0), logs.std(axis=0, ddof=1) if len(sa) > 1 else None
+
+
+def _draw_spectra(axis: Axes, sa: NDArray[np.float64], looks: dict[str, Any], language: str) -> None:
+    mean, scatter = _logs(sa)
+    median = np.exp(mean)
     figures.style(axis, zero=False)
     low, high = axis.get_ylim() if _holds_suite(axis) else (math.inf, 0.0)
     for place, row in enumerate(sa):
@@ -171,9 +170,8 @@ def _draw_spectra(
     axis.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
 
 
-def _draw_scatter(
-    axis: Axes, scatter: NDArray[np.float64] | None, looks: dict[str, Any], language: str
-) -> None:
+def _draw_scatter(axis: Axes, sa: NDArray[np.float64], looks: dict[str, Any], language: str) -> None:
+    _, scatter = _logs(sa)
     figures.style(axis)
     low, high = USUAL_SCATTER
     usual = say("plots.usual_scatter", language, low=low, high=high)
