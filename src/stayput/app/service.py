@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any
 from starlette.responses import Response
 
 from stayput.app.jobs import Job, Jobs, StoppedError, Turns, Workers
-from stayput.app.messages import Problem, RefusedError, Reply, VerificationRequest, refused
+from stayput.app.messages import Problem, RefusedError, Reply, VerificationRequest, problem, refused
 from stayput.app.motions import Motions, Readers
 from stayput.app.scenes import read_scene, short_enough, unchanged, uploaded_motions
-from stayput.app.verification import JobReply, job_reply
+from stayput.app.verification import JobReply, verdict_reply
 from stayput.catalogue import phrase
 from stayput.execution import Stop
 
@@ -188,8 +188,16 @@ class Service:
         return before
 
     def reply_of(self, job: Job) -> JobReply:
-        """Return how a job stands."""
-        return job_reply(job, self.motions.with_file_names)
+        """Return how a job stands, with its verdict as far as it is known."""
+        state, verdict = job.state, job.verdict  # in this order: the verdict is there when the job is done
+        return JobReply.from_attributes(
+            job,
+            state=state,
+            progress=1.0 if state == "done" else min(1.0, job.done / max(1, job.total)),
+            seconds=round(job.seconds, 3),
+            error=job.error and problem(job.error.rewritten(self.motions.with_file_names)),
+            result=verdict and verdict_reply(verdict),
+        )
 
     def begun(
         self,

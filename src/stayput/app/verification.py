@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import base64
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import ConfigDict, Field
 
-from stayput.app.messages import Problem, Reply, Words, problem
+from stayput.app.messages import Problem, Reply, Words
 from stayput.app.running import own_measures
 from stayput.app.scenes import motions_of, refusal, too_many
 from stayput.errors import InputError
@@ -31,7 +30,6 @@ from stayput.verification.room_words import tags
 from stayput.verification.words import asides
 
 if TYPE_CHECKING:
-    from stayput.app.jobs import Job
     from stayput.app.limits import Limits
     from stayput.verification import Verdict
     from stayput.verification.verdict import OptionVerdict
@@ -228,27 +226,6 @@ def runs_of(scenario: Scenario, limits: Limits, levels: int = 0) -> int:
     if runs > allowed:
         raise too_many("uncertainty.samples", runs, allowed, "app.runs")
     return runs
-
-
-def job_reply(job: Job, rewrite: Callable[[str], str]) -> JobReply:
-    """Return the state of a job, with its verdict as far as it is known.
-
-    Parameters
-    ----------
-    job : Job
-        The job.
-    rewrite : callable
-        Puts the users' names for their files into a sentence.
-    """
-    state, verdict = job.state, job.verdict  # in this order: the final verdict is there when the job is done
-    return JobReply.from_attributes(
-        job,
-        state=state,
-        progress=1.0 if state == "done" else min(1.0, job.done / max(1, job.total)),
-        seconds=round(job.seconds, 3),
-        error=None if job.error is None else problem(job.error.rewritten(rewrite)),
-        result=verdict and verdict_reply(verdict),
-    )
 
 
 def verdict_reply(verdict: Verdict) -> VerdictReply:

@@ -12,12 +12,10 @@ from stayput.cli.flags import LanguageOption, QuietOption  # noqa: TC001 - Typer
 from stayput.cli.help import HelpfulCommand, RootGroup
 from stayput.errors import absent
 
-_PORT = 8000
-
 
 def _page(
     host: Annotated[str, typer.Option(help="cli_help.host")] = "127.0.0.1",
-    port: Annotated[int, typer.Option(min=0, max=65535, help="cli_help.port")] = _PORT,
+    port: Annotated[int, typer.Option(min=0, max=65535, help="cli_help.port")] = 8000,
     name: Annotated[list[str] | None, typer.Option(metavar="NAME", help="cli_help.server_name")] = None,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="cli_help.browser")] = True,
     lang: LanguageOption = "",

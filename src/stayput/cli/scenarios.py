@@ -138,6 +138,7 @@ def verify(
     from stayput.cli.verdicts import print_verdict
     from stayput.montecarlo.counting import SLIDE_LIMIT
     from stayput.rooms.steps import Home
+    from stayput.verification import verify as compare
 
     check_output(report, (".html",), stream=False)
     check_output(plan, (".html",), stream=False)
@@ -161,7 +162,10 @@ def verify(
         checked = _only(checked, measure)
     with checked.naming_file():
         checked = home.of(checked)  # the verdict, too, is of the room as it is said to be
-    verdict = _verified(checked, over, limit, every_run, threads)
+    thread_count(threads)  # refused as what it is, not as the file's
+    options: dict[str, Any] = {} if over is None else {"intensity_measures": [over]}
+    with checked.naming_file(), compiling():
+        verdict = compare(checked, slide_limit=limit, every_run=every_run, threads=threads, **options)
     if json:
         typer.echo(verdict.to_json(), nl=False)
     elif not instead:
@@ -217,21 +221,6 @@ def _only(scenario: Scenario, names: list[str]) -> Scenario:
     stated = dict(zip(stated_names, tables.get("measures") or (), strict=True))
     tables["measures"] = [stated.get(name, {"type": name}) for name in dict.fromkeys(names)]
     return type(scenario).parse(tables, scenario.folder)
-
-
-def _verified(
-    scenario: Scenario,
-    over: IntensityMeasure | None,
-    slide_limit: float,
-    every_run: bool,
-    threads: int | None,
-) -> Verdict:
-    from stayput.verification import verify as compare
-
-    thread_count(threads)  # refused as what it is, not as the file's
-    with scenario.naming_file(), compiling():
-        options: dict[str, Any] = {} if over is None else {"intensity_measures": [over]}
-        return compare(scenario, slide_limit=slide_limit, every_run=every_run, threads=threads, **options)
 
 
 def _write_curves(

@@ -327,10 +327,8 @@ class FloorPlan:
             ),
         ]
         for (name, first, low, high), (other, second, bottom, top) in combinations(openings, 2):
-            start, end = (
-                max(first.start, second.start),
-                min(first.start + first.width, second.start + second.width),
-            )
+            start = max(first.start, second.start)
+            end = min(first.start + first.width, second.start + second.width)
             if first.wall == second.wall and end - start > 1e-9 and low < top and bottom < high:
                 raise errors.InputError(
                     "rooms.openings_overlap", other, name=other, other=name, overlap=end - start

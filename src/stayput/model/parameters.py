@@ -147,11 +147,9 @@ def parameter(default: Any, unit: str, low: float, high: float, label: Phrase, *
     return dataclasses.field(default=default, metadata=quantity(unit, low, high, label, **more))
 
 
-def choice(
-    default: str, choices: Collection[str], label: Phrase, confidence: Confidence = Confidence.LOW
-) -> Any:
+def choice(default: str, choices: Collection[str], label: Phrase) -> Any:
     """Return the field of one of several words."""
-    return parameter(default, "", 0.0, 0.0, label, confidence=confidence, choices=tuple(choices))
+    return parameter(default, "", 0.0, 0.0, label, choices=tuple(choices))
 
 
 def other_default(default: Any, kind: Any, name: str) -> Any:

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
-from markupsafe import Markup
+from markupsafe import Markup, escape
 from numpy.typing import NDArray
 from PIL import Image
 
@@ -237,7 +237,7 @@ def player_page(film: Film, speed: float, hold: float, *, plays: bool = True) ->
     }
     script = script_module(file_of("film/player.js"))
     code = {"inks": Markup(inks_css()), "data": Markup(script_json(data)), "code": Markup(script)}
-    said = {"language": film.language, "title": film.title, "caption": film.caption}
+    said = {"language": film.language, "title": escape(film.title), "caption": escape(film.caption)}
     return rendered("film/player.html", {**texts, **said, **code})
 
 

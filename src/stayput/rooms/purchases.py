@@ -42,10 +42,6 @@ class DeviceForces(NamedTuple):
     push: float
     shear: float
 
-    def times(self, factor: float) -> DeviceForces:
-        """Return them multiplied."""
-        return DeviceForces(*(factor * force for force in self))
-
 
 def quantile_of(devices: NDArray[np.void], elements: Sequence[Element]) -> DeviceForces:
     """Return what the forces on one device of a kind do not exceed in `QUANTILE` of the runs, each by itself.
@@ -135,14 +131,12 @@ def purchases_of(
             purchases.append(Purchase(measure))
             continue
         elements = [held.elements[n] for n in like]
-        normal, tangent = (
-            elements[0].normal.shared(elements[0].count),
-            elements[0].tangent.shared(elements[0].count),
-        )
+        device = elements[0]
+        normal, tangent = device.normal.shared(device.count), device.tangent.shared(device.count)
         across = min(tangent.limit_plus, tangent.limit_minus) if tangent.stiffness > 0.0 else math.inf
         holds = DeviceForces(normal.limit_plus, normal.limit_minus, across)
-        needed = quantile_of(devices[..., like], elements).times(MARGIN)
-        purchases.append(Purchase(measure, needed, holds, elements[0].normal.weakest))
+        needed = DeviceForces(*(MARGIN * force for force in quantile_of(devices[..., like], elements)))
+        purchases.append(Purchase(measure, needed, holds, device.normal.weakest))
     return tuple(purchases)
 
 

@@ -85,21 +85,14 @@ def sweep(case: Case | Scenario, axes: Mapping[Any, Any], **options: Unpack[Swee
         word_of("option", name, SweepOptions.__annotations__)
     if isinstance(case, Case):
         return sweep_case(case, axes, **options)
-    return _sweep_scenario(case, axes, **options)
+    return _sweep_scenario(case, axes, options)
 
 
-def _sweep_scenario(
-    scenario: Scenario,
-    axes: Mapping[Any, Any],
-    *,
-    threads: int | None = None,
-    progress: bool | None = None,
-    **of_a_case: Any,
-) -> xr.Dataset:
+def _sweep_scenario(scenario: Scenario, axes: Mapping[Any, Any], options: SweepOptions) -> xr.Dataset:
     import xarray as xr
 
-    for name, value in of_a_case.items():
-        if value or value == 0:
+    for name, value in options.items():
+        if name not in ("threads", "progress") and (value or value == 0):
             raise InputError("common.left_out", name, where=phrase("scenario.sweep_of_a_case"))
     lists: dict[str, list[Any]] = {}
     instance_of("axes", axes, Mapping)
@@ -117,6 +110,7 @@ def _sweep_scenario(
     def run(number: int) -> None:
         rows[number] = _results(cases[number])
 
+    threads, progress = options.get("threads"), options.get("progress")
     with bar(len(cases), "progress.simulating", progress) as advance, Pool(threads) as pool:
         for _ in pool.as_completed(partial(run, number) for number in range(len(cases))):
             advance(1)
