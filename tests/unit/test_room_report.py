@@ -18,7 +18,7 @@ from stayput.measures import Belt
 from stayput.model.floor_plan import rectangle
 from stayput.montecarlo.counting import EVENTS, Member, Quantiles
 from stayput.report.room.plan import DrawnPiece, change_plan, covers_svg, plan_svg
-from stayput.report.room.report import room_html, sections, write_room_report
+from stayput.report.room.report import room_html, sections
 from stayput.report.room.sheet import PlanSheet
 from stayput.report.verdict import numbers
 from stayput.scenario import Scenario
@@ -316,9 +316,9 @@ def test_it_is_written_whole_and_refuses_other_names(tmp_path):
     verdict = made()
     assert verdict.report(tmp_path / "room.html").read_text(encoding="utf-8") == room_html(verdict)
     with pytest.raises(InputError):
-        write_room_report(verdict, tmp_path / "room.pdf")
+        verdict.report(tmp_path / "room.pdf")
     with pytest.raises(InputError):
-        write_room_report(verdict, tmp_path / "room.html", "fr")
+        verdict.report(tmp_path / "room.html", "fr")
     for told in (verdict.sentence, verdict.notes, verdict.to_markdown, partial(verdict.label, verdict.best)):
         with pytest.raises(InputError, match="one of 'en', 'ja'"):
             told("fr")

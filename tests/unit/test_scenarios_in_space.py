@@ -12,7 +12,6 @@ from commands import cli
 import stayput as sp
 from real_records import MOTIONS, recorded
 from stayput.measures import MEASURES
-from stayput.report.verdict.html import write_report
 from stayput.scenario import Scenario
 from stayput.simulation.case import Case
 from stayput.verification.contest import Contest, drawn_run
@@ -289,7 +288,7 @@ def test_a_verdict_and_its_report(tmp_path: Path) -> None:
     assert [device.name for device in bracket.devices] == ["l_bracket left", "l_bracket right"]
     replayed = drawn_run(scenario, verdict.without.option, verdict.without.worst)
     assert bool(replayed.overturned) == (verdict.without.probabilities["overturned"].estimate > 0.0)
-    write_report(verdict, tmp_path / "verdict.html", "en")
+    verdict.report(tmp_path / "verdict.html", "en")
     page = (tmp_path / "verdict.html").read_text(encoding="utf-8")
     assert page.count("<iframe") == (4 if verdict.best.option.measures else 2)
     assert "data:image/svg+xml;base64," in page

@@ -14,7 +14,7 @@ import stayput as sp
 from stayput.catalogue import phrase
 from stayput.montecarlo.counting import Member
 from stayput.report.verdict import svg
-from stayput.report.verdict.html import pairs_of, place_of_the_measure, report_html, write_report
+from stayput.report.verdict.html import pairs_of, place_of_the_measure, report_html
 from stayput.report.verdict.numbers import interval, probability, word
 from stayput.report.verdict.tables import ranking
 from stayput.verification.contest import Contest, drawn_run
@@ -163,10 +163,10 @@ def test_ticks_are_round_and_inside():
 
 def test_a_report_is_written_whole_or_refused(tmp_path):
     verdict = verdict_cases.made()
-    file = write_report(verdict, tmp_path / "r.html", "ja")
+    file = verdict.report(tmp_path / "r.html", "ja")
     assert file.read_text(encoding="utf-8") == report_html(verdict, "ja")
     with pytest.raises(sp.InputError, match=r"The language is 'fr'; it must be one of 'en', 'ja'\."):
-        write_report(verdict, tmp_path / "s.html", "fr")
+        verdict.report(tmp_path / "s.html", "fr")
     with pytest.raises(sp.InputError, match=r"ends in \.html"):
-        write_report(verdict, tmp_path / "s.txt")
+        verdict.report(tmp_path / "s.txt")
     assert [path.name for path in tmp_path.iterdir()] == ["r.html"]

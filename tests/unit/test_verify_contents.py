@@ -12,7 +12,6 @@ import pytest
 import stayput as sp
 from stayput.app.verification import verdict_reply
 from stayput.contents.spill import Spill
-from stayput.report.verdict.html import write_report
 from stayput.scenario import Scenario
 from stayput.verification import verify
 from stayput.verification.contents import Leaving
@@ -135,7 +134,7 @@ def test_it_is_in_every_file(verdict, tmp_path):
     assert float(rows[0]["contents_out_share"]) == share
     assert float(rows[0]["contents_leaving_height_m_median"]) == leaving.height
     assert "Contents that come out" in verdict.to_markdown()
-    page = write_report(verdict, tmp_path / "r.html").read_text(encoding="utf-8")
+    page = verdict.report(tmp_path / "r.html").read_text(encoding="utf-8")
     assert page.count("Contents that come out") == 1 + len(verdict.options)
     assert verdict_reply(verdict).options[0].contents["contents_out_share"] == share
 

@@ -376,10 +376,16 @@ class ActionPlan:
         return json_text(plan_data(self))
 
     def report(self, path: str | Path, language: str = "en") -> Path:
-        """Write the plan, one HTML file with everything in it, to print."""
-        from stayput.report.room.card import write_plan
+        """Write the plan, one HTML file with everything in it, to print.
 
-        return write_plan(self, path, language)
+        Raises
+        ------
+        InputError
+            Another language, or a path that cannot be written.
+        """
+        from stayput.report.page import write_page
+
+        return write_page(path, language, lambda: self.to_html(language))
 
 
 ALIKE = 0.005

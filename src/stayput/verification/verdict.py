@@ -387,12 +387,31 @@ class Verdict(InJson):
         return changes_in(option.option, self.without.option, self.scenario.names)
 
     def report(self, path: str | Path, language: str = "en") -> Path:
-        """Write the report, one HTML file with everything in it; see `stayput.report.verdict`."""
-        from stayput.report.room.report import write_room_report
-        from stayput.report.verdict.html import write_report
+        """Write the report, one HTML file with everything in it; see `stayput.report.verdict`.
 
-        write = write_report if self.scenario.plan is None else write_room_report
-        return write(self, path, language)
+        Parameters
+        ----------
+        path : str or Path
+            The file, whose name ends in .html.
+        language : str
+            "en" or "ja".
+
+        Returns
+        -------
+        Path
+            The file written.
+
+        Raises
+        ------
+        InputError
+            Another language, a path that cannot be written, or a record that cannot be read any more.
+        """
+        from stayput.report.page import write_page
+        from stayput.report.room.report import room_html
+        from stayput.report.verdict.html import report_html
+
+        html = report_html if self.scenario.plan is None else room_html
+        return write_page(path, language, lambda: html(self, language))
 
     def sentence(self, language: str = "en") -> str:
         """Return the verdict in one sentence, in "en" or "ja"."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from markupsafe import Markup
@@ -12,7 +11,7 @@ from markupsafe import Markup
 import stayput
 from stayput.catalogue import TEXTS, phrase, say
 from stayput.montecarlo.counting import OVERTURNED, SLID
-from stayput.report.page import rendered, write_page
+from stayput.report.page import rendered
 from stayput.report.room.plan import change_plan, legend, room_plan
 from stayput.report.verdict import numbers, tables
 from stayput.report.verdict.html import shared_content
@@ -215,33 +214,16 @@ SHEETS = ("verdict/report.css", "canvas/plan.css", "room/plan.css", "room/room.c
 """Style sheets of the report: those of a verdict, of plans, of their figures, and its own."""
 
 
-def write_room_report(verdict: Verdict, path: str | Path, language: str = "en") -> Path:
-    """Write the report of a verdict on a room: one HTML file that loads nothing from elsewhere.
+def room_html(verdict: Verdict, language: str = "en") -> str:
+    """Return the report of a verdict on a room: one HTML page that loads nothing from elsewhere.
 
     Parameters
     ----------
     verdict : Verdict
         The verdict.
-    path : str or Path
-        The file, whose name ends in .html.
     language : str
         "en" or "ja".
-
-    Returns
-    -------
-    Path
-        The file written.
-
-    Raises
-    ------
-    InputError
-        Another language, or a path that cannot be written.
     """
-    return write_page(path, language, lambda: room_html(verdict, language))
-
-
-def room_html(verdict: Verdict, language: str = "en") -> str:
-    """Return the text of a report; see `write_room_report`."""
     headline, *others = sentences(verdict, language)
     people = room_words.people_in(verdict)
     moved = change_plan(verdict, language)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import shlex
 from collections.abc import Iterable, Iterator
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from stayput.catalogue import say
@@ -18,7 +17,7 @@ from stayput.report.figures import drawable, embedded, figure_of
 from stayput.report.fragility import plot_options
 from stayput.report.history import peak_told, window_of
 from stayput.report.names import motion_label, named
-from stayput.report.page import framed, rendered, write_page
+from stayput.report.page import framed, rendered
 from stayput.report.plot import plot_run
 from stayput.report.section import draw_section
 from stayput.report.summary import sentences_of_piece
@@ -34,8 +33,8 @@ if TYPE_CHECKING:
     from stayput.verification.verdict import OptionVerdict
 
 
-def write_report(verdict: Verdict, path: str | Path, language: str = "en") -> Path:
-    """Write a report of a verdict: one HTML file with drawings, curves, animations and all inputs.
+def report_html(verdict: Verdict, language: str = "en") -> str:
+    """Return a report of a verdict: one HTML page with drawings, curves, animations and all inputs.
 
     It loads nothing from elsewhere, and can be printed. Up to four of the runs are done again for it.
 
@@ -43,26 +42,14 @@ def write_report(verdict: Verdict, path: str | Path, language: str = "en") -> Pa
     ----------
     verdict : Verdict
         The verdict.
-    path : str or Path
-        The file, whose name ends in .html.
     language : str
         "en" or "ja".
-
-    Returns
-    -------
-    Path
-        The file written.
 
     Raises
     ------
     InputError
-        Another language, a path that cannot be written, or a record that cannot be read any more.
+        A record that cannot be read any more.
     """
-    return write_page(path, language, lambda: report_html(verdict, language))
-
-
-def report_html(verdict: Verdict, language: str = "en") -> str:
-    """Return the text of a report; see `write_report`."""
     return rendered("verdict/report.html", _content(verdict, language))
 
 
