@@ -56,8 +56,6 @@ FOLDERS = {
 }
 """The folders of the pages' files in the package, by their paths on the server."""
 
-SHARED = (*page.SHARED, *room_page.SHARED)
-"""Texts of other modules that the pages say too; the last parts of their ids are their keys."""
 
 PAGES = ("", "room")
 ASKED_EACH_TIME = {"Cache-Control": "no-cache"}
@@ -104,7 +102,7 @@ def page_of(folder: str) -> str:
 def words(language: Language) -> dict[str, str]:
     """Return the texts of both pages in a language by their keys."""
     place = LANGUAGES.index(language)
-    texts = {name.rpartition(".")[2]: TEXTS[name] for name in SHARED}
+    texts = {name.rpartition(".")[2]: TEXTS[name] for name in page.SHARED}
     for part in (page, earthquake, room_page):
         texts |= part.TEXTS
     return {key: text[place] for key, text in texts.items()}
@@ -377,9 +375,8 @@ def serve(
         threading.Thread(target=_open, args=(server, address), daemon=True).start()
     with suppress(KeyboardInterrupt):
         server.run(sockets=[bound])
-    if (
-        not app.state.service.ready
-    ):  # LLVM, with which a thread still compiles, must not be torn down under it
+    if not app.state.service.ready:
+        # LLVM, with which a thread still compiles, must not be torn down under it
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(0)

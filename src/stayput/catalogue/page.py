@@ -15,6 +15,16 @@ SHARED = (
     "common.about",
     "common.under",
     "common.without",
+    "room_report.is_blocked",
+    "room_report.is_hit",
+    "room_report.overturns",
+    "rooms.already",
+    "rooms.far_side_wall",
+    "rooms.left_wall",
+    "rooms.near_side_wall",
+    "rooms.numbered",
+    "rooms.right_wall",
+    "space.caption_still",
     "space.no_webgl",
     "space.shaken",
     "space.view",
@@ -23,7 +33,7 @@ SHARED = (
     "space.view_side",
     "space.view_top",
 )
-"""Texts of other modules that the page says too; their keys there are their keys on the page."""
+"""Texts of other modules that the pages say too; their keys there are their keys on the pages."""
 
 TEXTS: dict[str, tuple[str, str]] = {
     "space": (" ", ""),

@@ -1,19 +1,5 @@
 """Texts of the page of a room and of the editor of its plan; its script fills in what stands in braces."""
 
-SHARED = (
-    "room_report.is_blocked",
-    "room_report.is_hit",
-    "room_report.overturns",
-    "rooms.already",
-    "rooms.far_side_wall",
-    "rooms.left_wall",
-    "rooms.near_side_wall",
-    "rooms.right_wall",
-    "rooms.numbered",
-    "space.caption_still",
-)
-"""Texts of other modules that the page says too; their keys there are their keys on the page."""
-
 TEXTS: dict[str, tuple[str, str]] = {
     "roomTitle": ("stayput: is everybody in this room safe in an earthquake?",
                   "stayput：地震のとき、この部屋にいる人は安全か"),
