@@ -80,9 +80,8 @@ class CommandGroup(TyperGroup):
         except OSError as error:
             sys.exit(_unwritten(error, self._language))
         except SystemExit as end:
-            if isinstance(
-                end.__context__, BrokenPipeError
-            ):  # Rich and Typer end so where the reader has gone
+            if isinstance(end.__context__, BrokenPipeError):
+                # Rich and Typer end so where the reader has gone
                 sys.exit(_unwritten(end.__context__, self._language))
             raise
 

@@ -319,13 +319,9 @@ class FloorPlan:
 
     def _refuse_overlaps(self) -> None:
         """Refuse two openings at one place of a wall; a window may be above a door."""
-        openings = [
-            *((f"doors[{number}]", door, 0.0, DOOR_HEIGHT) for number, door in enumerate(self.doors)),
-            *(
-                (f"windows[{number}]", window, window.sill, math.inf)
-                for number, window in enumerate(self.windows)
-            ),
-        ]
+        openings: list[tuple[str, Door | Window, float, float]] = []
+        openings += [(f"doors[{n}]", door, 0.0, DOOR_HEIGHT) for n, door in enumerate(self.doors)]
+        openings += [(f"windows[{n}]", pane, pane.sill, math.inf) for n, pane in enumerate(self.windows)]
         for (name, first, low, high), (other, second, bottom, top) in combinations(openings, 2):
             start = max(first.start, second.start)
             end = min(first.start + first.width, second.start + second.width)

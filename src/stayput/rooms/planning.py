@@ -282,9 +282,7 @@ class _Planner:
         decided = self.decisions.measures.get(body)
         why = self._not_taken.setdefault(self.scenario.names[body], {})
         if decided is None:
-            why.update(
-                {kinds: phrase("action_plan.drills") for kinds in TRIED if not self.home.allows(kinds)}
-            )
+            why |= {kinds: phrase("action_plan.drills") for kinds in TRIED if not self.home.allows(kinds)}
             tried = self._helpful(body, moves, [kinds for kinds in TRIED if self.home.allows(kinds)])
         else:
             tried = [self._trial(body, self._in_number(body, decided, moves))]

@@ -128,15 +128,11 @@ def why_not(tried: Trial, taken: Trial | None = None) -> Phrase:
 
 def sets_not_taken(reasons: NotTaken) -> Phrase:
     """Return which sets of measures were not taken on a piece, each with the reason."""
-    return joined(
-        (
-            joined(
-                (joined((MEASURES[kind].label for kind in kinds), "action_plan.plus"), why), "common.colon"
-            )
-            for kinds, why in reasons.items()
-        ),
-        "action_plan.next",
-    )
+    clauses: list[Phrase] = []
+    for kinds, why in reasons.items():
+        measures = joined((MEASURES[kind].label for kind in kinds), "action_plan.plus")
+        clauses.append(joined((measures, why), "common.colon"))
+    return joined(clauses, "action_plan.next")
 
 
 def _bears(purchase: Purchase) -> Phrase:

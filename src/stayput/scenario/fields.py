@@ -121,11 +121,10 @@ def fields_of(
     def with_fields(table: type[AnyTable]) -> type[AnyTable]:
         fields: dict[str, Any] = {}
         for about in parameters(kind):
-            if about.name not in (*but, *table.model_fields):
-                here = replace(about, default=defaults.get(about.name, about.default))
-                fields[about.name] = typed_field(
-                    here, meanings.get(here.name), optional=here.name in optional
-                )
+            name = about.name
+            if name not in (*but, *table.model_fields):
+                here = replace(about, default=defaults.get(name, about.default))
+                fields[name] = typed_field(here, meanings.get(name), optional=name in optional)
         return create_model(
             table.__name__, __base__=table, __doc__=table.__doc__, __module__=table.__module__, **fields
         )

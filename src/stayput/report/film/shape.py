@@ -102,16 +102,12 @@ class SolidShape:
 
 def shape_of(solid: Solid) -> SolidShape:
     """Make a solid ready for drawing."""
-    curved = _curved(solid)
-    return SolidShape(solid, curved, _edges(solid.faces, curved), tuple(_marks(solid, curved)))
-
-
-def _curved(solid: Solid) -> NDArray[np.bool_]:
-    """Return which faces join two round edges, shape (faces,): all corners lie on rims, but not on one."""
     on = on_rims(solid)
-    return np.array(
+    # faces that join two round edges: all of their corners lie on rims, but not on one
+    curved = np.array(
         [on[:, face].any(axis=0).all() and not on[:, face].all(axis=1).any() for face in solid.faces]
     )
+    return SolidShape(solid, curved, _edges(solid.faces, curved), tuple(_marks(solid, curved)))
 
 
 def _edges(faces: Sequence[NDArray[np.int64]], curved: NDArray[np.bool_]) -> NDArray[np.int64]:

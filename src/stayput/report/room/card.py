@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
@@ -14,7 +13,7 @@ import stayput
 from stayput.catalogue import Phrase, phrase, say
 from stayput.measures.measure import MEANINGS
 from stayput.montecarlo.counting import OVERTURNED
-from stayput.report.page import framed, rendered, write_page
+from stayput.report.page import framed, rendered
 from stayput.report.room.elevation import SIZES, elevation_scale, elevation_svg, plan_scale, sizes_of
 from stayput.report.room.plan import numbered_plan
 from stayput.report.room.sheet import PlanSheet
@@ -38,19 +37,8 @@ SHEETS = ("canvas/plan.css", "room/plan.css", "room/card.css")
 """Style sheets of the card: the look of plans, of their figures, and its own."""
 
 
-def write_plan(plan: ActionPlan, path: str | Path, language: str = "en") -> Path:
-    """Write a plan: one HTML file that loads nothing from elsewhere, to print.
-
-    Raises
-    ------
-    InputError
-        Another language, or a path that cannot be written.
-    """
-    return write_page(path, language, lambda: plan_html(plan, language))
-
-
 def plan_html(plan: ActionPlan, language: str = "en") -> str:
-    """Return the page of a plan, in "en" or "ja"."""
+    """Return a plan as a page to print that loads nothing from elsewhere, in "en" or "ja"."""
     title, named = _own(language, "title"), plan.verdict.scenario.title
     sizes = sizes_of(plan)
     drawn = [step.fix for step in plan.steps if step.fix is not None]
@@ -90,16 +78,8 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
         yield phrase("action_plan.nothing")
     chances = {} if together is None else step_words.worth_telling(together, plan)
     if chances:
-        now, then = (
-            joined(
-                phrase("action_plan.chance", what=phrase(f"rooms.chance_of_{key}"), share=share)
-                for key, share in shares.items()
-            )
-            for shares in (
-                {key: was.share for key, (_, was) in chances.items()},
-                {key: chance.texts for key, (chance, _) in chances.items()},
-            )
-        )
+        now = joined(_chance(key, was.share) for key, (_, was) in chances.items())
+        then = joined(_chance(key, chance.texts) for key, (chance, _) in chances.items())
         only, strength = motion_phrase(verdict), shaking_phrase(verdict)
         key = "action_plan.shaking" if only is None else "action_plan.shaking_of_one"
         shaking = phrase(key, strength=strength, motion=only or "")
@@ -122,6 +102,10 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
     if asked:
         conditions = joined(phrase(f"action_plan.{name}") for name in asked)
         yield phrase("action_plan.home", conditions=conditions)
+
+
+def _chance(key: str, share: object) -> Phrase:
+    return phrase("action_plan.chance", what=phrase(f"rooms.chance_of_{key}"), share=share)
 
 
 def _plan(
@@ -156,17 +140,13 @@ def _checks(plan: ActionPlan, language: str) -> list[tuple[str, str]]:
     numbered: dict[tuple[bool, Phrase], list[str]] = {}
     for number, step in enumerate(plan.steps, 1):
         empty = "" if step.overturned is None else phrase("action_plan.empty")
-        ways = [
-            [phrase("action_plan.check_move", empty=empty)]
-            if step.fix is None
-            else step_words.checks(step.fix)
-        ]
+        move = [phrase("action_plan.check_move", empty=empty)]
+        ways = [move if step.fix is None else step_words.checks(step.fix)]
         ways += [] if step.instead is None else [step_words.checks(step.instead)]
         for undrilled, way in enumerate(ways):
             if way:
-                numbered.setdefault((bool(undrilled), joined(way, "action_plan.next")), []).append(
-                    str(number)
-                )
+                key = bool(undrilled), joined(way, "action_plan.next")
+                numbered.setdefault(key, []).append(str(number))
     steps = {key: ", ".join(numbers) for key, numbers in numbered.items()}
     return [
         (_own(language, "steps_instead", steps=of) if undrilled else of, say(sentence, language))
@@ -252,10 +232,8 @@ def _lines(number: int, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
     if fix is not None:
         if fix.cost_class:
             yield "buy", joined(step_words.to_buy(purchase, fix) for purchase in fix.purchases)
-        yield (
-            "where",
-            joined((step_words.where(purchase, fix) for purchase in fix.purchases), "action_plan.next"),
-        )
+        places = [step_words.where(purchase, fix) for purchase in fix.purchases]
+        yield "where", joined(places, "action_plan.next")
     sentences: list[Phrase] = []
     if (was := step.overturned) is not None:  # else it is the place of a person that is moved
         body = plan.verdict.scenario.names.index(step.what)

@@ -316,16 +316,9 @@ def _pieces(verdict: Verdict) -> list[DrawnPiece]:
     """Return the pieces in the order of the file, in which what stands on another comes after it."""
     standing, pieces = verdict.scenario.scene(verdict.without.option).pieces, verdict.without.pieces
     return [
-        DrawnPiece(
-            result.name,
-            result.zones.outline,
-            piece.heading,
-            result.stability,
-            result.zones.fell,
-            result.zones.stood,
-        )
+        DrawnPiece(result.name, zones.outline, piece.heading, result.stability, zones.fell, zones.stood)
         for result, piece in zip(pieces, standing, strict=True)
-        if result.zones is not None
+        if (zones := result.zones) is not None
     ]
 
 

@@ -133,12 +133,6 @@ def demand_of(measure: intensity_measures.IntensityMeasure) -> tuple[str, str, s
     return DEMANDS.get(measure.key, ("", measure.name, measure.unit, measure.shown))
 
 
-def lognormal_moments(median: float, dispersion: float) -> tuple[float, float]:
-    """Return mean θ exp(β²/2) and standard deviation mean·√(exp(β²) − 1) of a lognormal variable."""
-    mean = median * math.exp(0.5 * dispersion**2)
-    return mean, mean * math.sqrt(math.expm1(dispersion**2))
-
-
 def nrml_xml(curves: Sequence[FragilityCurve], description: str = "") -> str:
     """Return the text of the file: see `write_nrml`."""
     names = identifiers(curves)
@@ -165,13 +159,14 @@ def nrml_xml(curves: Sequence[FragilityCurve], description: str = "") -> str:
 
 def _add_lognormal(model: ET.Element, name: str, curve: LognormalFit, imt: str, factor: float) -> None:
     median, beta = curve.median * factor, curve.dispersion
-    mean, deviation = (repr(moment) for moment in lognormal_moments(median, beta))
+    mean = median * math.exp(0.5 * beta**2)
+    deviation = mean * math.sqrt(math.expm1(beta**2))
     lowest, highest = (repr(median * math.exp(sign * _REACH * beta)) for sign in (-1.0, 1.0))
     about = {"id": name, "format": "continuous", "shape": "logncdf"}
     function = ET.SubElement(model, "fragilityFunction", about)
     ends = {"imt": imt, "noDamageLimit": lowest, "minIML": lowest, "maxIML": highest}
     ET.SubElement(function, "imls", ends)
-    ET.SubElement(function, "params", {"ls": LIMIT_STATE, "mean": mean, "stddev": deviation})
+    ET.SubElement(function, "params", {"ls": LIMIT_STATE, "mean": repr(mean), "stddev": repr(deviation)})
 
 
 def _add_discrete(model: ET.Element, name: str, curve: FragilityCurve, imt: str, factor: float) -> None:
