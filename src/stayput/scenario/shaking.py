@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Annotated, Literal, Self, TypeVar, cast
+from typing import Annotated, Literal, Self, cast
 
 from pydantic import AfterValidator, Discriminator, Field, Tag, model_validator
 
-from stayput.building.model import MOST_STOREYS
+from stayput.building.model import MOST_STOREYS, Shaken
 from stayput.catalogue import phrase
 from stayput.errors import InputError, not_allowed, within
 from stayput.motion.floors import of_the_ground
@@ -32,8 +32,6 @@ from stayput.motion.suites.synthesis import MIXED, synthetic_suite
 from stayput.motion.synthetic import near_fault, sine
 from stayput.scenario import fields
 from stayput.scenario.tables import BuildingTable, PythonTable
-
-Shaken = TypeVar("Shaken", Motion, Suite)
 
 
 @fields.fields_of(sine)
