@@ -173,6 +173,24 @@ REFUSED = {
         "Corrected velocity time history",
         "# quantity: displacement",
         "# 速度波形",
+        *(
+            f"{mark}{line}"
+            for mark in ("# ", "% record of 1995\n# ")
+            for line in (
+                "ground velocity, m/s",
+                "Kobe NS vel cm/s",
+                "Kobe 1995 NS (cm/sec)",
+                "速度 kine",
+                "変位 cm",
+                "NS成分、mm",
+                "Bodengeschwindigkeit (m/s)",
+                "Verschiebung",
+                "vitesse",
+                "velocidad cm s-1",
+                "displacements [m]",
+                "kine",
+            )
+        ),
         "Acceleration response spectrum, damping 5 %",
         "加速度応答スペクトル（減衰5%）",
     ],
@@ -357,6 +375,21 @@ def test_a_time_step_that_is_stated_is_used_or_contradicted(read, refusal, line,
         "# shear wave velocity (m/s) 300",
         "# acceleration, from velocity data",
         "# accelerogram that matches a response spectrum",
+        *(
+            f"# velocity of the truck\n# {line}"
+            for line in (
+                "NS, m/s2",
+                "NS cm/s/s",
+                "gal",
+                "cm s-2",
+                "Beschleunigung",
+                "PGA (m/s^2)",
+                "unit: gal",
+            )
+        ),
+        "# S波速度 300 m/s",
+        "# peak ground velocity: 30 cm/s",
+        "# sensor depth (m): 30; plate of 5 cm",
     ],
 )
 def test_lines_that_contradict_nothing_are_read_over(read, line):

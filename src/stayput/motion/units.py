@@ -97,26 +97,32 @@ _STEP_TOLERANCE = 1e-4  # relative, of two time steps that are the same one, rou
 
 _ROUNDING_OF_TIMES = 0.2  # error of a printed time, in time steps; a missing sample is one of 1
 _MOST_VARIATION = 0.01  # error of a time, as a share of the duration, where the sampling rate varies
-_SQUARED_SECONDS = r"/s(?:ec)?(?:/s(?:ec)?|²|\^?2|\*\*2)"
+_SQUARED_SECONDS = r"(?:/s(?:ec)?(?:/s(?:ec)?|²|\^?2|\*\*2)|[ .·⋅]?s\^?[-−⁻][2²])"
 MENTIONED = re.compile(
     rf"(?<![a-zµμ])(gals?|(?:[cm]?m|in|ft){_SQUARED_SECONDS}|%g)(?![a-z0-9/^²*])"
     r"|[(\[_] ?(m?g|%g|[cm]?m_?p?s_?2|m_s_2)(?:[)\]]|(?![a-z0-9/^²*]))",
     re.IGNORECASE,
 )
-_VELOCITY = re.compile(
-    r"(?<![a-z])(?:vel(?:ocity)?(?![a-z])|(?:(?:[cm]?m|in|ft|rad|deg)/s(?:ec)?|kines?)(?![a-z0-9/^²*]))",
-    re.IGNORECASE,
+_VELOCITY_WORDS = (
+    r"(?<![a-z])vel(?:oc(?:it(?:y|ies))?)?(?![a-z])|(?<![加波大])速度|(?<!wellen)geschwindigkeit"
+    r"|vitesse|velocid"
 )
-_DISPLACEMENT = re.compile(
-    r"(?<![a-z])disp(?:lacement)?(?![a-z])|[(\[] ?[cm]?m ?[)\]]|_[cm]m$|^[cm]?m$", re.IGNORECASE
+_VELOCITY_UNITS = (
+    r"(?<![a-z])(?:(?:[cm]?m|in|ft|rad|deg)(?:/s(?:ec)?|[ .·⋅]?s\^?[-−⁻][1¹])|kines?)(?![a-z0-9/^²*])|カイン"
 )
+_DISPLACEMENT_WORDS = (
+    r"(?<![a-z])disp(?:lacements?)?(?![a-z])|変位|位移|verschiebung|d[eé]placement|desplazamiento"
+)
+_VELOCITY = re.compile(f"{_VELOCITY_WORDS}|{_VELOCITY_UNITS}", re.IGNORECASE)
+_DISPLACEMENT = re.compile(rf"{_DISPLACEMENT_WORDS}|[(\[] ?[cm]?m ?[)\]]|_[cm]m$|^[cm]?m$", re.IGNORECASE)
 _OTHER_MOTION = re.compile(
-    r"(?P<key>(?:quantity|type|kind|data) ?[:=] ?)?(?<![a-z])(?<!wave )(?:(?P<velocity>velocity|(?<!加)速度)"
-    r"|displacement|変位)(?P<of_data>[ _-]*(?:(?:points?|data|samples?|values?|records?|traces?|history"
-    r"|time[ -](?:series|history))(?![a-z])|[(\[]|波形|データ|記録|時刻歴))?",
+    rf"(?<!wave )(?<!peak )(?<!peak ground )(?:(?P<velocity>{_VELOCITY_WORDS}"
+    rf"|(?<![0-9])(?<![0-9] )(?:{_VELOCITY_UNITS})(?![)\]]?[ :=]*[0-9]))|{_DISPLACEMENT_WORDS}"
+    r"|(?<![a-z0-9])(?<![0-9] )(?:[cm]m|[(\[] ?m ?[)\]])(?! ?[./·⋅]? ?s|[a-z0-9^²*]|[)\]]?[ :=]*[0-9]))",
     re.IGNORECASE,
 )
-_ACCELERATION = re.compile(r"acc(?![a-z])|accel|加速度", re.IGNORECASE)
+"""A quantity or its unit; a unit beside a number is that of something else, such as a depth."""
+_ACCELERATION = re.compile(r"acc(?![a-z])|accel|aceler|beschleunig|加速度", re.IGNORECASE)
 _SPECTRUM = re.compile(r"(?:response|fourier|amplitude) spectr|(?:応答|フーリエ)スペクトル", re.IGNORECASE)
 _HISTORY = re.compile(r"accelero|histor|time[ -]series|match|compatible|時刻歴|波形|適合", re.IGNORECASE)
 _NUMBER = r"[0-9]*\.?[0-9]+(?:[eE][+\-]?[0-9]+)?"
@@ -262,17 +268,25 @@ def not_acceleration(where: str, quantity: str) -> InputError:
     return InputError("motion.not_acceleration", where=excerpt(where), quantity=phrase(f"motion.{quantity}"))
 
 
-def _check_quantity(lines: Sequence[str]) -> None:
+def check_quantity(lines: Sequence[str], header: str) -> None:
     """Refuse numbers that the lines above them say to be of a velocity, a displacement or a spectrum.
 
-    Lines that also speak of acceleration or a history may say what these were made from.
+    Beside a word or a unit of acceleration they may say what it was made from, or be of something else.
+
+    Parameters
+    ----------
+    lines : sequence of str
+        The lines that are no headings of columns.
+    header : str
+        All that stands above the numbers.
     """
-    matches = [(line, match) for line in lines for match in _OTHER_MOTION.finditer(line)]
-    statement = next(((line, m) for line, m in matches if m["key"] or m["of_data"]), None)
-    if statement and not any(map(_ACCELERATION.search, lines)):
-        raise not_acceleration(statement[0], "velocity" if statement[1]["velocity"] else "displacement")
-    spectrum = next(filter(_SPECTRUM.search, lines), None)
-    if spectrum and not any(map(_HISTORY.search, lines)):
+    of_acceleration = _ACCELERATION.search(header) or MENTIONED.search(header)
+    statement = next(filter(None, map(_OTHER_MOTION.search, lines)), None)
+    if statement and not (of_acceleration or known_unit(stated_unit(header) or "")):
+        quantity = "velocity" if statement["velocity"] else "displacement"
+        raise not_acceleration(statement.string, quantity)
+    spectrum = next(filter(_SPECTRUM.search, header.split("\n")), None)
+    if spectrum and not _HISTORY.search(header):
         raise not_acceleration(spectrum, "spectral")
 
 
@@ -461,7 +475,6 @@ def column_factors(
     InputError
         A column is no acceleration, no unit is stated or given, or two of them contradict each other.
     """
-    _check_quantity(above.split("\n"))
     columns = {i: text for i, text in enumerate(headings.texts) if i != headings.time}
     scale = {i: unit_factor(unit) for i, text in columns.items() if (unit := _own_unit(text, stated, passed))}
     if columns and len(scale) == len(columns):

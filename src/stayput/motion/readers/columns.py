@@ -29,7 +29,7 @@ from stayput.errors import InputError, InputWarning, excerpt, shown, unknown, wa
 from stayput.files import named_columns
 from stayput.motion import units as known_units
 from stayput.motion.channels import LISTED, Channel, in_borehole, is_direction, labels_phrase
-from stayput.motion.readers.headings import Headings, is_time, is_title, read_headings, split, units_in
+from stayput.motion.readers.headings import Headings, headings_in, is_title, read_headings, split, units_in
 from stayput.motion.readers.text import Reader, check_count, is_decimal, lines, not_as_stated, numbers
 from stayput.wording import joined
 
@@ -205,6 +205,10 @@ def read_columns(
     if series and size is None:
         warn(InputWarning("motion.rows_taken_as_samples", count=width))
     places, headings = _chosen_columns(head, chosen) if chosen else _usual_columns(head, series, written)
+    # Where one column of several is read, a heading speaks of its own column alone.
+    count = len(_fields(head.rows[0], chosen=bool(chosen)))
+    remarks = [line for line in above if count < 3 or not headings.texts or len(headings_in(line)) != count]
+    known_units.check_quantity(remarks, header)
     fields = _samples if series else partial(_fields, chosen=bool(chosen))
     values = _numbers_at(text, skipped, places, fields, counted=series)
     table = numbers(values, "the_numbers").reshape(-1, len(places))
@@ -234,7 +238,7 @@ def read_columns(
     if time is not None:
         times = headings.time_factor * table[:, time]
         counts = times[0].is_integer() and np.array_equal(times, times[0] + np.arange(len(times)))
-        if counts and not (headings.texts and is_time(headings.texts[time])):
+        if counts and not headings.name_the_time():
             if (dt := written if dt is None else dt) is None:
                 raise InputError("motion.time_counts", "dt", first=times[0], second=times[1], option="dt")
             times = dt * times

@@ -125,6 +125,11 @@ class Headings(NamedTuple):
         time = None if self.time is None else places.index(self.time)
         return Headings(tuple(self.texts[place] for place in places), time, self.time_factor, names)
 
+    def name_the_time(self) -> bool:
+        """Return whether the heading of the time says that it is one."""
+        heading = self.texts[self.time or 0] if self.texts else ""
+        return bool(_TIME.match(heading) or _OF_TIME.search(heading))
+
 
 def split(line: str) -> list[str]:
     """Return the fields of a line of columns, those between quotation marks without them."""
@@ -358,11 +363,6 @@ def _times(texts: Sequence[str]) -> list[int]:
     named = [i for i in others if _TIME.match(texts[i]) and not is_motion(texts[i])]
     times = [i for i in named if not (beside and _TRANSVERSE.match(texts[i]))]
     return times or [i for i in others if _OF_TIME.search(texts[i])]
-
-
-def is_time(text: str) -> bool:
-    """Return whether a heading says that its column is the time."""
-    return bool(_TIME.match(text) or _OF_TIME.search(text))
 
 
 def _listed(texts: Sequence[str]) -> Phrase:
