@@ -21,7 +21,7 @@ from stayput.scenario.toml import with_value
 from stayput.simulation.case import Case
 from stayput.simulation.grid import make_grid
 from stayput.simulation.many import SweepOptions, run_grid, sweep_case
-from stayput.simulation.outcome import QUANTITIES, fill_columns
+from stayput.simulation.outcome import QUANTITIES, columns_of
 from stayput.simulation.space import results_of, trace_scene
 from stayput.simulation.space_engine import SpaceShaking
 
@@ -144,11 +144,9 @@ def _results(scenario: Scenario) -> dict[str, NDArray[Any]]:
     with scenario.naming_keys():
         traced = trace_scene(scene, shaking, scenario.gravity)
     devices, results = traced.trace.devices, results_of(traced, shaking.times)
-    columns = {name: np.zeros(len(results), ABOUT[name].dtype) for name in OF_A_PIECE}
-    fill_columns(columns, 0, results)
     used = utilisation(traced.trace.springs, devices).max(initial=0.0)
     return {
-        **columns,
+        **columns_of(results, [ABOUT[name] for name in OF_A_PIECE]),
         "device_failures": np.array((devices["failure"] != HOLDS).sum(), np.int32),
         "device_utilisation": np.array(float(used)),
     }

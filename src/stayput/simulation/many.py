@@ -18,14 +18,7 @@ from stayput.mechanics.runner import Shaking, run_cases, run_cases_with_devices,
 from stayput.model.flat_fields import unit_of
 from stayput.progress import bar
 from stayput.simulation.grid import LAW, MOTION, Axes, CaseBlock, Grid, make_grid
-from stayput.simulation.outcome import (
-    CASE_RESULT,
-    HISTORIES,
-    QUANTITIES,
-    case_results,
-    empty_columns,
-    fill_columns,
-)
+from stayput.simulation.outcome import CASE_RESULT, HISTORIES, QUANTITIES, case_results, columns_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -300,7 +293,7 @@ def run_grid(
 ) -> dict[str, NDArray[np.generic]]:
     """Run a grid's cases; return the columns of results, in the grid's order. See `simulate_many`."""
     count = len(grid)
-    columns = empty_columns(count)
+    rows = np.zeros(count, CASE_RESULT)
     motions = Shared(prepared_motions, grid.motions, groups_of(grid), grid.dimensions)
     with Pool(threads, executor) as pool, bar(count, "progress.simulating", progress) as advance:
         if chunk is None:
@@ -318,9 +311,9 @@ def run_grid(
             return partial(run_block, grid.block(start, min(start + size, count)), motions)
 
         for number, results in pool.as_completed(map(call, starts)):
-            fill_columns(columns, starts[number], results)
+            rows[starts[number] : starts[number] + len(results)] = results
             advance(len(results))
-    return columns
+    return columns_of(rows)
 
 
 def run_block(block: CaseBlock, motions: Shared[PreparedMotions]) -> NDArray[np.void]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
@@ -260,19 +261,11 @@ OUTCOMES = tuple(outcome.value for outcome in Outcome)
 """Names of the outcomes, in the order of the flags."""
 
 
-def empty_columns(count: int) -> dict[str, NDArray[np.generic]]:
-    """Return columns for the results of ``count`` cases, by name, to be filled."""
-    return {column.name: np.zeros(count, column.dtype) for column in QUANTITIES}
-
-
-def fill_columns(columns: dict[str, NDArray[np.generic]], start: int, results: NDArray[np.void]) -> None:
-    """Write rows of `CASE_RESULT` into the columns, from ``start`` on."""
-    place = slice(start, start + len(results))
+def columns_of(
+    results: NDArray[np.void], quantities: Sequence[ResultColumn] = QUANTITIES
+) -> dict[str, NDArray[np.generic]]:
+    """Return rows of `CASE_RESULT`, or of `mechanics.columns.RESULT`, as columns by name."""
     overturned = results["outcome"] == OVERTURNED_OUTCOME
-    for name, column in columns.items():
-        if name == "overturned":
-            column[place] = overturned
-        elif name == "overturn_time":
-            column[place] = np.where(overturned, results["end"], np.nan)
-        else:
-            column[place] = results[name]
+    values = {name: results[name] for name in results.dtype.names or ()}
+    values |= {"overturned": overturned, "overturn_time": np.where(overturned, results["end"], np.nan)}
+    return {column.name: values[column.name].astype(column.dtype) for column in quantities}
