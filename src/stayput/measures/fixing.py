@@ -62,6 +62,14 @@ class Link:
         factor = strength if stiffness is None else stiffness
         return replace(self, strength=strength * self.strength, stiffness=factor * self.stiffness)
 
+    def as_stated(
+        self, strength: float | str | None, stiffness: float | None, ultimate: float | None
+    ) -> Link:
+        """Return the link with the numbers that are stated in the place of its own; a word states none."""
+        stated = {"strength": strength, "stiffness": stiffness, "ultimate": ultimate}
+        numbers = {name: value for name, value in stated.items() if isinstance(value, int | float)}
+        return replace(self, **numbers)
+
 
 def in_series(*links: Link) -> Link:
     """Return links in series as one, which is called and fails like the weakest of them.

@@ -98,15 +98,11 @@ class TensionPole(Measure):
 
     def __post_init__(self) -> None:
         Measure.__post_init__(self)
-        preload, strength = self.preload, self._stated_strength
-        if strength is not None and preload >= strength:
+        preload, strength = self.preload, self.strength
+        if isinstance(strength, int | float) and preload >= strength:
             raise InputError(
                 "measures.preload", "preload", measure=self.label, preload=preload, strength=strength
             )
-
-    @property
-    def _stated_strength(self) -> float | None:
-        return None if isinstance(self.strength, str) else self.strength
 
     def where(self) -> Phrase | None:
         """Return the place on the top."""
@@ -170,8 +166,7 @@ class TensionPole(Measure):
                 raise InputError("measures.dropped_ceiling", "room.ceiling", measure=self.label)
             ceiling = "joist"
         link = in_series(POLE, CEILING_LINKS[ceiling], TOP_BOARDS[self.top])
-        stated = {"strength": self._stated_strength, "stiffness": self.stiffness, "ultimate": self.give}
-        return replace(link, **{name: value for name, value in stated.items() if value is not None})
+        return link.as_stated(self.strength, self.stiffness, self.give)
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with an element from its top to the ceiling."""
@@ -187,7 +182,7 @@ class TensionPole(Measure):
         within(called, space, SHORTEST, LONGEST, "m", "room.ceiling.height")
         link = self.chain(room.ceiling.construction)
         # what a user gives, he has; a default pole is tightened as far as its ceiling lets it be
-        tightened = TIGHTENED if self._stated_strength is None else 1.0
+        tightened = 1.0 if isinstance(self.strength, int | float) else TIGHTENED
         preload = min(self.preload, tightened * link.strength)
         n = self.count
         k, slack, most = n * link.stiffness, -preload / link.stiffness, n * link.strength

@@ -101,11 +101,8 @@ class WallDevice(Measure):
 
     def _as_given(self, chain: fixing.Link) -> fixing.Link:
         """Return the chain of one with what is given in place of what follows from its links."""
-        stated = {name: getattr(self, name) for name in ("strength", "stiffness", "ultimate")}
-        changed = {name: value for name, value in stated.items() if value not in (None, UNBREAKABLE)}
-        if self.strength is not None:
-            changed["fails"] = phrase("measures.as_given")
-        return replace(chain, **changed)
+        stated = chain.as_stated(self.strength, self.stiffness, self.ultimate)
+        return stated if self.strength is None else replace(stated, fails=phrase("measures.as_given"))
 
 
 def height_of(room: Room) -> float:
