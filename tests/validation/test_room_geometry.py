@@ -92,7 +92,7 @@ def person(heading: float) -> sp.PersonPlace:
 
 def cut(track: Track, count: int) -> Track:
     """Return a track that ends after so many samples."""
-    names = ("sample", "place", "turn", "energy")
+    names = ("sample", "place", "turn", "energy", "falls")
     return replace(track, **{name: getattr(track, name)[:count] for name in names})
 
 
@@ -125,7 +125,8 @@ def track_in_plane(pose: Track, x: np.ndarray, z: np.ndarray, tilt: np.ndarray) 
     inertia = float(across @ (pose.turn[0] @ shape.inertia @ pose.turn[0].T) @ across)
     rates = [np.gradient(values, pose.dt) if len(values) > 1 else np.zeros(1) for values in (x, z, tilt)]
     energy = 0.5 * (shape.mass * (rates[0] ** 2 + rates[1] ** 2) + inertia * rates[2] ** 2)
-    return Track(shape, moved, place[moved], turn[moved], energy[moved], pose.dt)
+    falls = np.abs(tilt[moved]) > ALPHA
+    return Track(shape, moved, place[moved], turn[moved], energy[moved], pose.dt, falls)
 
 
 def toppling(heading: float) -> tuple[Track, sp.Run]:
@@ -183,6 +184,25 @@ def test_who_is_nudged_is_not_hit(into: float, hits: bool) -> None:
     x = into * np.sin(np.pi * np.linspace(0.0, 1.0, 101))
     place = sp.PersonPlace("bed", (0.5, 0.0), 1.0, 2.0, 0.0, 0.5)
     assert (contact_with_place(track_in_plane(start, x, 0.0 * x, 0.0 * x), place) is not None) is hits
+
+
+@pytest.mark.parametrize("to", [1.0, -1.0])
+def test_only_a_piece_that_falls_into_a_place_hits(to: float) -> None:
+    """A box nudges a person by 7 cm, and then topples onto the person or away."""
+    start = at_rest(sp.Piece(BOX, (-B - 1e-3, 0.0, 0.0)), 0.01)
+    time = np.linspace(0.0, 1.0, 101)
+    x = np.concatenate([0.07 * np.sin(np.pi * time), 0.0 * time])
+    tilt = np.concatenate([0.0 * time, 0.5 * np.pi * to * time**2])
+    # about the edge that it topples over
+    side, up = np.sin(np.abs(tilt)), np.cos(tilt)
+    x, z = x + to * (B - B * up + H * side), B * side + H * up - H
+    place = sp.PersonPlace("person", (0.5, 0.0), 1.0, 2.0, 0.0, 1.25)
+    contact = contact_with_place(track_in_plane(start, x, z, tilt), place)
+    assert contact is not None
+    assert contact.falls == (to > 0.0)
+    assert contact.time < 1.0
+    # the speed is that of the nudge, at most 0.07 π m/s, or that of the fall
+    assert (contact.speed > 1.0) == (to > 0.0)
 
 
 def test_the_speed_within_a_place_is_the_largest_of_all_samples() -> None:

@@ -64,8 +64,9 @@ class Seen(NamedTuple):
 
     Parameters
     ----------
-    hits : ndarray, shape (places, pieces, 3)
-        Contacts of pieces with the places of people: time [s], speed [m/s], energy [J]; NaN where none.
+    hits : ndarray, shape (places, pieces, 4)
+        Contacts of pieces with the places of people: time [s], speed [m/s], energy [J], and whether the piece
+        falls there; NaN where none. See `stayput.verification.events.RoomContact`.
     blocked : ndarray of bool, shape (doors,)
         Whether a door is blocked at the end.
     shut_in : ndarray of bool, shape (places,)
@@ -76,6 +77,9 @@ class Seen(NamedTuple):
     blocked: NDArray[np.bool_]
     shut_in: NDArray[np.bool_]
 
+
+SPEED, ENERGY, FALLS = 1, 2, 3
+"""Columns of `Seen.hits`."""
 
 Watch: TypeAlias = "Callable[[FloorPlan, Sequence[Track]], Seen]"
 """Looks at what happened in a run of a room, of its plan and where the pieces were."""

@@ -21,6 +21,7 @@ from scipy.spatial import ConvexHull
 from stayput.mechanics.space.touching import ROOM
 from stayput.simulation.piece import Convex, ConvexShape, Piece, separation
 from stayput.simulation.space_engine import MOST_HITS, Gaps, SpaceTrace
+from stayput.simulation.space_fate import falling
 from stayput.simulation.space_records import frames_of, matrices
 
 if TYPE_CHECKING:
@@ -50,8 +51,8 @@ class Track:
         Kinetic energy [J].
     dt : float
         Time between samples [s].
-    overturned : bool
-        Whether it overturned.
+    falls : ndarray of bool, shape (k,)
+        Whether it falls at these samples: see `stayput.simulation.space_fate.falling`.
     """
 
     shape: ConvexShape
@@ -60,7 +61,7 @@ class Track:
     turn: NDArray[np.float64]
     energy: NDArray[np.float64]
     dt: float
-    overturned: bool = False
+    falls: NDArray[np.bool_]
 
     @property
     def stays(self) -> bool:
@@ -91,7 +92,8 @@ def at_rest(piece: Piece, dt: float = 1.0) -> Track:
     """Return the track of a piece that stays where it stands."""
     chosen = np.zeros(1, np.intp)
     shape = ConvexShape.of(piece.solid)
-    return Track(shape, chosen, piece.place[np.newaxis], piece.turn[np.newaxis], np.zeros(1), dt)
+    pose = piece.place[np.newaxis], piece.turn[np.newaxis]
+    return Track(shape, chosen, *pose, np.zeros(1), dt, np.zeros(1, np.bool_))
 
 
 def outline_of(corners: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -126,7 +128,8 @@ def tracks_of(
         energy = 0.5 * (
             shape.mass * np.sum(v * v, axis=1) + np.einsum("ki,ij,kj->k", spin, shape.inertia, spin)
         )
-        tracks.append(Track(shape, moved, place[moved], np.ascontiguousarray(turn[moved]), energy, dt))
+        poses = place[moved], np.ascontiguousarray(turn[moved])
+        tracks.append(Track(shape, moved, *poses, energy, dt, falling(piece, *poses)))
     return tracks
 
 
@@ -190,14 +193,14 @@ class Touching(NamedTuple):
         How fast they close in then [m/s].
     places : ndarray of int
         At which samples they touch.
-    deepest : float
-        How far they are in each other at most [m].
+    depths : ndarray, shape of places
+        How far they are in each other there [m].
     """
 
     time: float
     closing: float
     places: NDArray[np.intp]
-    deepest: float
+    depths: NDArray[np.float64]
 
 
 def touching_of(
@@ -221,8 +224,7 @@ def touching_of(
     # a piece that stood still until then has moved in the last step alone
     time = dt * (float(sample[chosen[first + 1]]) - overlap / (gap + overlap))
     together = (gaps[1:] <= 0.0) & (np.arange(1, len(gaps)) > first)
-    deepest = -float(gaps[1:][together].min())
-    return Touching(time, (gap + overlap) / dt, chosen[1:][together], deepest)
+    return Touching(time, (gap + overlap) / dt, chosen[1:][together], -gaps[1:][together])
 
 
 Group: TypeAlias = tuple[int, ...]

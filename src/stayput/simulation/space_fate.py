@@ -37,7 +37,7 @@ class Stability(StrEnum):
     MAY_FALL
         It falls in some runs; of many runs alone.
     FALLS
-        It leans past its critical angle, has overturned, or has come off what it stood on.
+        It leans past its critical angle for good, has overturned, or has come off what it stood on.
     """
 
     STAYS = "stays"
@@ -78,8 +78,8 @@ def expected(falls: float, moves: float) -> Stability:
 def over_time(run: Run, body: int) -> NDArray[np.str_]:
     """Return how firmly a body of a run in space stands at each sample, shape (samples,).
 
-    What a measure is made to let it slide is no move. It falls while it leans past its critical angle, held
-    or not, and from when it overturned or fell off on.
+    What a measure is made to let it slide is no move. What leans past its critical angle and comes back does
+    not fall.
     """
     piece, standing, turn = run.pieces[body], run.standing[body], matrices(run.attitude[body])
     reach = round(AROUND * (len(run.time) - 1) / max(float(np.ptp(run.time)), AROUND))
@@ -93,7 +93,8 @@ def over_time(run: Run, body: int) -> NDArray[np.str_]:
     moves = (around(np.abs(piece.tilt)).max(axis=1) > ROCKS) | (np.ptp(around(piece.yaw), axis=1) > ROCKS)
     moves |= np.any([np.ptp(around(way), axis=1) > SHIFTS for way in ways], axis=0)
     fell = run.time >= np.fmin(piece.overturn_time, piece.fall_time)
-    falls = fell | past_critical(standing, run.place[body], turn)
+    upright = np.flatnonzero(~(fell | past_critical(standing, run.place[body], turn)))
+    falls = np.arange(len(fell)) > upright.max(initial=-1)
     return np.where(falls, Stability.FALLS, np.where(moves, Stability.MOVES, Stability.STAYS))
 
 
@@ -116,6 +117,14 @@ def past_critical(piece: Piece, place: NDArray[np.float64], turn: NDArray[np.flo
     lowest = feet[np.arange(len(feet)), feet[:, :, 2].argmin(axis=1), :2]
     towards = (turn @ piece.rest[2])[:, :2]
     return (np.einsum("si,si->s", towards, lowest) < 0.0) & (tilts(piece.rest, turn) > ROCKING_TILT)
+
+
+def falling(piece: Piece, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return whether a piece falls, shape (samples,): it is past its critical angle, or has come down.
+
+    The arguments are those of `past_critical`; its height at the first sample is that at which it stood.
+    """
+    return past_critical(piece, place, turn) | (place[:, 2] < place[0, 2] - LEFT)
 
 
 UPRIGHT = math.pi / 3.0
@@ -271,7 +280,7 @@ BASE = 0.1
 """Share of the height of a body that counts as its base."""
 
 LEFT = 0.01
-"""How far a body has come from where it stood on another when it has left it [m]."""
+"""How far a body has come from where it stood on another, or down, when it has left its place [m]."""
 
 
 class Fate(NamedTuple):

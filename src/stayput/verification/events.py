@@ -17,7 +17,7 @@ from scipy import ndimage
 
 from stayput.mechanics.columns import OVERTURNED_OUTCOME
 from stayput.model.floor_plan import Door, FloorPlan, PersonPlace, rectangle
-from stayput.montecarlo.scenes import Seen
+from stayput.montecarlo.scenes import FALLS, Seen
 from stayput.simulation import groups
 from stayput.simulation.groups import Touching, Track, at_rest, body_at, bounds_of, touching_of
 from stayput.simulation.piece import Piece, box_of, separation
@@ -193,11 +193,14 @@ class RoomContact(NamedTuple):
         The largest of the part of the piece that is within the place: an upper bound [m/s].
     energy : float
         The largest kinetic energy of the piece while it touches: also an upper bound [J].
+    falls : bool
+        Whether the piece falls into the place: speed and energy are then those of its fall.
     """
 
     time: float
     speed: float
     energy: float
+    falls: bool
 
 
 def contact_with_place(track: Track, place: PersonPlace) -> RoomContact | None:
@@ -221,10 +224,15 @@ def contact_with_place(track: Track, place: PersonPlace) -> RoomContact | None:
     touching = touching_of(
         track.sample, near, track.dt, lambda k: separation(body_at(track, k), box_of(place, len(k)))
     )
-    if touching is None or touching.deepest < ENTERS_BY:
+    if touching is None or touching.depths.max() < ENTERS_BY:
         return None
+    falls = track.falls[touching.places]
+    # what falls away from a place that it nudged comes no deeper into it
+    into = bool(touching.depths[falls].max(initial=0.0) > touching.depths[~falls].max(initial=0.0))
+    if into:
+        touching = touching._replace(places=touching.places[falls])
     speed = _speed_within(track, place, touching)
-    return RoomContact(touching.time, speed, float(track.energy[touching.places].max()))
+    return RoomContact(touching.time, speed, float(track.energy[touching.places].max()), into)
 
 
 def _speed_within(track: Track, place: PersonPlace, touching: Touching) -> float:
@@ -278,7 +286,7 @@ class Watcher:
 
     def __call__(self, plan: FloorPlan, tracks: Sequence[Track]) -> Seen:
         """Return what happened in a run, where the pieces had these tracks."""
-        hits = np.full((len(plan.places), len(tracks), 3), np.nan)
+        hits = np.full((len(plan.places), len(tracks), len(RoomContact._fields)), np.nan)
         for at, place in enumerate(plan.places):
             for body, track in enumerate(tracks):
                 contact = self._contact(track, place)
@@ -381,7 +389,7 @@ def happens_in(run: Run) -> RunInRoom:
             (name, place.name)
             for place, hits in zip(plan.places, seen.hits, strict=True)
             for piece, name, hit in zip(run.pieces, run.names, hits, strict=True)
-            if (piece.overturned or piece.fell_off) and not math.isnan(hit[0])
+            if (piece.overturned or piece.fell_off) and hit[FALLS] == 1.0
         ),
         tuple(door.name for door, blocked in zip(plan.doors, seen.blocked, strict=True) if blocked),
         tuple(place.name for place, shut in zip(plan.places, seen.shut_in, strict=True) if shut),

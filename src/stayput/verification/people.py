@@ -18,6 +18,7 @@ from stayput.fragility.paired import Difference, difference
 from stayput.fragility.probabilities import Probability, probability
 from stayput.mechanics.columns import OVERTURNED_OUTCOME
 from stayput.montecarlo.counting import RANKING_RESOLUTION, Member, Quantiles
+from stayput.montecarlo.scenes import ENERGY, FALLS, SPEED
 
 if TYPE_CHECKING:
     from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
@@ -39,9 +40,6 @@ CRUSHING_ENERGY = 79.0
 Explosives Safety Board, Technical Paper 12). Furniture is larger and slower: this tells blows from nudges,
 and predicts no injury.
 """
-
-SPEED, ENERGY = 1, 2
-"""Columns of `stayput.montecarlo.scenes.Seen.hits`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -198,8 +196,9 @@ def contacts_in(runs: Runs) -> NDArray[np.bool_]:
 def hits_in(runs: Runs) -> NDArray[np.bool_]:
     """Return which places are hit by which falling pieces, shape (motions, samples, places, pieces)."""
     assert runs.results is not None
+    assert runs.hits is not None
     fell: NDArray[np.bool_] = runs.results["outcome"] == OVERTURNED_OUTCOME
-    return contacts_in(runs) & fell[:, :, np.newaxis]
+    return (runs.hits[..., FALLS] == 1.0) & fell[:, :, np.newaxis]
 
 
 def events_at_places(runs: Runs) -> dict[str, NDArray[np.bool_]]:
