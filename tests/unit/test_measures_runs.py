@@ -184,3 +184,14 @@ def test_what_a_piece_slides_within_the_stroke_of_its_isolator_does_not_count(le
     assert isolated.probabilities["slid"].estimate == 0.0
     assert isolated.slide.p90 < 0.05
     assert isolated.rank == 1
+
+
+@pytest.mark.parametrize("dimensions", [2, 3])
+@pytest.mark.parametrize("kind", sorted(sp.MEASURES))
+def test_every_measure_is_simulated_in_the_plane_and_in_space(kind: str, dimensions: int) -> None:
+    body = sp.Body(0.4, 1.8, 60.0, length=0.9)
+    room = sp.Room(left_wall=sp.Wall(0.05), ceiling=sp.Ceiling(2.2))
+    run = sp.simulate(body, room, sp.sine(1.0, 1.0, 1.0), [sp.MEASURES[kind]()], dimensions=dimensions)
+    assert run.outcome is not sp.Outcome.FAILED
+    if kind == "against_wall":
+        assert run.room.left_wall == sp.Wall(0.0)

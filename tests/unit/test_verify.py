@@ -286,6 +286,10 @@ def test_the_typical_run_is_in_the_middle_and_the_worst_at_the_end():
     assert typical_of(runs) == Member(0, 0)
     falls = replace(runs, overturned=np.array([[False, True], [False, False]]))
     assert typical_of(falls) == Member(0, 0)  # as most do, it stands
+    fails = replace(runs, device_failed=np.array([[False, False], [True, False]]))
+    assert worst_of(fails) == Member(1, 0)
+    trembling = replace(runs, tilt=1e-6 * tilt, slide=np.array([[0.1, 0.2], [0.0, 1.0]]))
+    assert worst_of(trembling) == Member(1, 1)  # what only slides is worst where it slides farthest
     gone = replace(falls, missing=np.array([[False, True], [False, False]]))
     assert worst_of(gone) == Member(1, 0)
 

@@ -71,6 +71,19 @@ def test_two_blocks_rock_as_one(rate: float) -> None:
     assert both[1].slide[until].max() < 1e-4  # the upper rides on the lower: over that it does not slide
 
 
+def test_what_is_joined_does_not_slide_over_each_other_at_a_wall() -> None:
+    """As it hits the wall too: the upper block is carried along, by 15 cm in the room."""
+    body = sp.Body.box(width=0.3, length=0.6, height=0.9, mass=40.0)
+    pieces = [sp.Piece(body, name="lower"), sp.Piece(body, name="upper", on="lower")]
+    corners = [(x, y, 0.9) for x in (-0.15, 0.15) for y in (-0.3, 0.3)]
+    joints = [sp.Joint(1, 0, corner, stiffness=1e7) for corner in corners]
+    room = sp.Room(sp.Floor(1.2, 1.1), left_wall=sp.Wall(0.2))
+    run = sp.simulate(sp.Scene(pieces, room, joints=joints, friction=(1.5, 1.4)), sp.sine(3.0, 1.5, 3.0))
+    assert run["upper"].wall_impacts > 0
+    assert run["upper"].peak_slide < 1e-3
+    assert run["upper"].peak_slide == pytest.approx(run["upper"].slide.max(), abs=1e-4)
+
+
 @pytest.mark.parametrize("speed", [1.0, 2.0])
 def test_the_upper_drags_the_lower(speed: float) -> None:
     """Thrown onto a block at rest, the upper loses μ₂ g and the lower gains (μ₂ m₂ − μ₁ (m₁ + m₂)) g/m₁.

@@ -156,8 +156,11 @@ def severity(probabilities: Mapping[str, Probability], cost: int) -> tuple[float
 
 
 def worst_of(runs: Outcomes) -> Member:
-    """Return the worst run: by overturning, then by tilt, then by slide; one given up only where all are."""
-    order = np.lexsort(
-        (runs.slide.ravel(), runs.tilt.ravel(), runs.overturned.ravel(), ~runs.missing.ravel())
-    )
+    """Return the worst run: by overturning, failing devices, tilt, slide; one given up only where all are.
+
+    Tilts of what does not rock are all alike, so that of what only slides the slide decides.
+    """
+    tilt = np.where(runs.tilt > ROCKS, runs.tilt, 0.0)
+    columns = runs.slide, tilt, runs.device_failed, runs.overturned, ~runs.missing
+    order = np.lexsort([column.ravel() for column in columns])
     return Member(*divmod(int(order[-1]), runs.tilt.shape[1]))

@@ -15,7 +15,6 @@ from pydantic.json_schema import DEFAULT_REF_TEMPLATE
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, no_length, refuse_same_names, within, word_of
-from stayput.measures import hold
 from stayput.model.floor_plan import MOST_PLACES, PLACES, Door, FloorPlan, PersonPlace, Window
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.model.room import WALLS_AROUND, Room
@@ -25,10 +24,6 @@ from stayput.scenario.pieces import Coordinate, JointTable, PieceTable
 from stayput.scenario.tables import RoomTable
 from stayput.scenario.toml import refusal_of
 from stayput.simulation.scene import MOST_BODIES, Joint, Scene, refuse_places
-
-if TYPE_CHECKING:
-    from stayput.simulation.piece import Piece
-
 
 PointInPlan = Annotated[list[Coordinate], Field(min_length=2, max_length=2)]
 
@@ -92,16 +87,6 @@ else:
         Discriminator(_several_or_one),
     ]
 """A piece, or a list of them."""
-
-
-def _alone(piece: Piece, room: Room) -> tuple[list[Piece], Room]:
-    """Return a lone piece in its own axes, along which its motions are, and its room with its measures.
-
-    Some say where its walls are, and poles may know of a ceiling; those of the base are of the piece.
-    """
-    around = [measure for measure in piece.measures if measure.acts_on in ("the room", "the tie")]
-    measures = [measure for measure in piece.measures if measure.acts_on != "the room"]
-    return [replace(piece, heading=0.0, measures=measures)], hold(piece.body, room, around).room
 
 
 class SceneTables(Table):
@@ -292,10 +277,9 @@ class SceneTables(Table):
             ]
             joints = self._joints() if chosen.joined else []
             friction = self.static_friction, self.kinetic_friction
-            room = self.room.room()
-            if self.alone:
-                pieces, room = _alone(pieces[0], room)
-            scene = Scene(pieces, room, self._plan(), joints, friction)
+            if self.alone:  # in its own axes, along which its motions are
+                pieces = [replace(pieces[0], heading=0.0)]
+            scene = Scene(pieces, self.room.room(), self._plan(), joints, friction)
             return scene.moved(chosen.moved) if chosen.moved else scene
 
     def _keys(self) -> AbstractContextManager[None]:

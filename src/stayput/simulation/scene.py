@@ -22,6 +22,7 @@ from stayput.errors import (
     whole_within,
     within,
 )
+from stayput.measures.measure import hold
 from stayput.model.floor_plan import FACING, PLACE_NAMES, FloorPlan, PersonPlace
 from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room, Wall
 from stayput.simulation.piece import BEHIND, Piece, inside_each_other, vector_of
@@ -208,6 +209,9 @@ class Scene:
         for number, piece in enumerate(pieces):
             below = None if piece.on is None else put[names.index(piece.on)]
             put.append(_in_its_place(piece, f"pieces[{number}].at", below, self.plan))
+        if len(put) == 1 and self.plan is None:
+            put[0], room = _in_its_room(put[0], self.room)
+            object.__setattr__(self, "room", room)
         object.__setattr__(self, "pieces", put)
         object.__setattr__(self, "names", tuple(names))
         object.__setattr__(self, "around", _around(put, self.room, self.plan))
@@ -319,6 +323,16 @@ class Scene:
                 depth = inside_each_other(piece, other)
                 if depth > DEEPEST:
                     raise InputError("rooms.in_another", key, name=name, other=what, depth=depth)
+
+
+def _in_its_room(piece: Piece, room: Room) -> tuple[Piece, Room]:
+    """Return a lone piece, and its room with what its measures say of that: wall behind it, ceiling."""
+    of_room = [measure for measure in piece.measures if measure.acts_on == "the room"]
+    poles = [measure for measure in piece.measures if measure.needs == "ceiling"]
+    if piece.heading != 0.0 or piece.body.shape is not None or not (of_room or poles):
+        return piece, room
+    measures = [measure for measure in piece.measures if measure not in of_room]
+    return replace(piece, measures=measures), hold(piece.body, room, [*of_room, *poles]).room
 
 
 def _in_its_place(piece: Piece, key: str, below: Piece | None, plan: FloorPlan | None) -> Piece:

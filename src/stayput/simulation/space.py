@@ -25,7 +25,7 @@ from stayput.simulation.groups import Group, Track, groups_at_first, joined_trac
 from stayput.simulation.outcome import OUTCOMES, Hit, Outcome, case_results
 from stayput.simulation.placing import Placed, joint_results, joint_springs, placed, planes_around
 from stayput.simulation.run import PieceRun, Run, default_names
-from stayput.simulation.space_engine import STEP, SpaceShaking, SpaceTrace, run_world
+from stayput.simulation.space_engine import STEP, TOUCHES, SpaceShaking, SpaceTrace, run_world
 from stayput.simulation.space_fate import Fate, fates_of, slides, unrolled, upright_yaws
 from stayput.simulation.space_records import frames_of, matrices, surface_of, world_of
 from stayput.wording import joined, name_within
@@ -282,9 +282,13 @@ def _until_it_fell(
 
 
 def _slide_at_hits(trace: SpaceTrace, body: int, piece: Piece, until: float) -> float:
-    """Return the largest slide of a body as it hits the room [m]: between samples it turns back there."""
+    """Return the largest slide of a body as it hits the room [m]: between samples it turns back there.
+
+    What stands on another slides over that, which moves too: only its samples are looked at.
+    """
     hits = trace.hits[(trace.hits["a"] == body) & (trace.hits["b"] == ROOM) & (trace.hits["time"] <= until)]
-    if len(hits) == 0 or piece.round_side is not None:
+    on_floor = trace.gaps[0].room[body, 0] <= TOUCHES
+    if len(hits) == 0 or piece.round_side is not None or not on_floor:
         return 0.0
     pose = np.stack([hits[name] for name in HISTORY[:7]], axis=1)
     turn = matrices(frames_of([piece], pose[np.newaxis, :, 3:])[0])
