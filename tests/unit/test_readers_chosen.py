@@ -78,7 +78,7 @@ def test_what_a_chosen_column_is_none_the_less(refusal):
     assert "is of velocity" in str(velocity)
     assert "component is given beside columns" in str(refusal(phone(), columns="t=2,x=3", component="NS"))
     proposed = refusal("t,z (gal),x (gal),y (gal),foo (gal)\n0,1,2,3,4\n0.01,1,2,3,4\n")
-    assert "unless columns says which: t=1,x=3,y=4,z=2;" in str(proposed)
+    assert "unless columns says which they are (t=1,x=3,y=4,z=2)," in str(proposed)
 
 
 def test_the_file_of_a_vertical_component_may_have_chosen_columns(tmp_path):

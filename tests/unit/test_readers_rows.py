@@ -81,6 +81,33 @@ def test_no_column_is_taken_out_of_a_series(refusal, per_line, head):
         assert (error.code, error.field) == ("motion.rows_of_one_series", "columns")
 
 
+NOISE = np.round(np.random.default_rng(7).normal(0.0, 80.0, 4000), 4)
+
+
+@pytest.mark.parametrize("per_line", [3, 4, 5, 8])
+@pytest.mark.parametrize("head", ["cm/s2, dt = 0.01\n", "# gal\n# dt=0.01\n", ""])
+def test_rows_of_noise_are_one_series_where_the_caller_says_so(read, refusal, head, per_line):
+    rows = head + block(NOISE[:3997], "%10.4f ", per_line)
+    given = {"unit": "gal", "dt": 0.01}
+    motion, warned = read(rows, columns="rows", **given)
+    assert motion.x == pytest.approx(0.01 * NOISE[:3997])
+    assert (motion.dt, warned) == (0.01, [])
+    full = head + block(NOISE[: 480 * per_line], "%10.4f ", per_line)
+    (warning,) = read(full, columns="x=2", **given)[1]
+    assert "must be rows" in warning.told("en")
+    assert "「rows」" in warning.told("ja")
+    if per_line != 4:
+        error = refusal(full, **given)
+        assert "(rows)" in error.told("en")
+        assert "「rows」" in error.told("ja")
+
+
+def test_rows_are_counted_and_one_column_with_a_heading_is_meant(read, refusal):
+    assert refusal(cited(N + 1) + block(WAVE, "%10.3f", 5), columns="rows").code == "motion.not_as_stated"
+    headed = "a,b,c\n" + "".join(f"{i}.5,{i}.25,{-i}.5\n" for i in (3, 1, 2, 5))
+    assert read(headed, columns="x=b", unit="gal", dt=0.01)[1] == []
+
+
 @pytest.mark.parametrize("lag", [0, 1, 30])
 def test_channels_beside_one_another_are_columns(read, lag):
     rows = "".join(" ".join(f"{np.roll(WAVE, k * lag)[i]:.3f}" for k in range(5)) + "\n" for i in range(N))

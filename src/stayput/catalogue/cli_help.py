@@ -64,7 +64,8 @@ TEXTS: dict[str, tuple[str, str]] = {
              "room.left_wall.gap=0.1、furniture[1].heading=0.3）。複数回指定できる")),
     "unit": ("The record's unit, where its file states none.", "記録の単位（ファイルにない場合）"),
     "dt": ("The record's time step [s], if its file has none.", "記録の時間刻み [s]（ファイルにない場合）"),
-    "record_columns": ("Columns of time and components: t=1,x=acc.", "時刻と各成分の列（例：t=1,x=acc）"),
+    "record_columns": ("Columns of time and components: t=1,x=acc; or rows of one series.",
+                       "時刻と各成分の列（例：t=1,x=acc）、または1つの時系列の並ぶ行（rows）"),
     "set_shaking": (("Any key of [shaking], as a scenario's file would say it: shaking.unit=gal, "
                      "shaking.scale=0.5, shaking.across=ew.AT2, shaking.building.period=0.8. May be "
                      "repeated."),

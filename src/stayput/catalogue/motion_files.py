@@ -138,10 +138,10 @@ TEXTS: dict[str, tuple[str, str]] = {
                       ("{what}の{index}番目の値が{value}です。小数点を「.」にするか、"
                        "「,」であれば{option}を指定してください。")),
     # What the caller says of a file.
-    "columns_like": (("{name} has {value}; it must be such as t=1,x=2 or t=time,x=NS,y=EW,z=UD: with x, "
-                      "and each once."),
-                     ("{name}に{value}があります。「t=1,x=2」や「t=time,x=NS,y=EW,z=UD」のように、"
-                      "xを含めて1回ずつ書いてください。")),
+    "columns_like": (("{name} has {value}; it must be such as t=1,x=2 or t=time,x=NS,y=EW,z=UD, with x, "
+                      "and each once, or rows of one series: rows."),
+                     ("{name}に{value}があります。「t=1,x=2」や「t=time,x=NS,y=EW,z=UD」のように"
+                      "xを含めて1回ずつ書くか、1つの時系列が行に続けて並ぶ場合は「rows」と書いてください。")),
     "no_such_column": (("The columns say {role}={column}; each must be a column of the file, and another "
                         "one: {known}."),
                        ("列の指定の{role}={column}に当たる列が1つに決まりません。"
@@ -170,21 +170,22 @@ TEXTS: dict[str, tuple[str, str]] = {
     "columns_of_numbers": ("columns of numbers", "数値の列"),
     "file_and_form": ("{file} ({form})", "{file}（{form}）"),
     "column_count": (("The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, "
-                      "z), unless {option} says which: {example}; "
-                      "rows of one series need their number of samples and step above them: 4000 0.01."),
+                      "z), unless {option} says which they are ({example}), or that each row has several "
+                      "samples of one series (rows)."),
                      ("{columns}列あります。1列（加速度）、2列（時刻と加速度）、4列（時刻とx、y、"
-                      "z）にするか、どれがそれらの列かを「{option}」で指定してください（例："
-                      "「{example}」）。1つの時系列が行に続けて並ぶ場合は、"
-                      "データの上に個数と時間刻みを「4000 0.01」のように書いてください。")),
+                      "z）にするか、「{option}」で、どれがそれらの列か（例：「{example}」）、"
+                      "または1つの時系列が行に続けて並ぶこと（「rows」）を指定してください。")),
+    "one_column_of_rows": (("Of {count} columns without headings only one is read; where each row has "
+                            "several samples of one series, {option} must be rows."),
+                           ("見出しのない{count}列のうち1列だけを読みます。"
+                            "1つの時系列が行に続けて並ぶ場合は、「{option}」を「rows」にしてください。")),
     "rows_taken_as_samples": (("Each row is read as {count} samples of one series, which goes on from row to "
                                "row."),
                               "各行を、次の行へと続く1つの時系列の{count}個のデータとして読みます。"),
     "rows_of_one_series": (("A row has {count} samples of one series, which goes on from row to row; it must "
-                            "not be taken as columns, but the number of samples and the step may stand above "
-                            "them: 4000 0.01."),
+                            "not be taken as columns: {option} must be rows."),
                            ("1行に1つの時系列の{count}個のデータが並び、次の行へと続いています。"
-                            "列には分けられません。データの上に個数と時間刻みを「4000 0.01」のように"
-                            "書いてください。")),
+                            "列には分けられません。「{option}」を「rows」にしてください。")),
     "column_first_row": (("Row {row} has {count} values; it must have {columns} like the first, unless "
                           "{option} passes that over."),
                          ("行によって列の数が違います（1行目は{columns}個、{row}行目は{count}個）。"

@@ -87,7 +87,7 @@ GROUND: dict[str, Any] = {
     "unit": Annotated[str | None, typer.Option(help="cli_help.unit")],
     "dt": Annotated[float | None, typer.Option(help="cli_help.dt")],
     "columns": Annotated[
-        str | None, typer.Option(metavar="t=COLUMN,x=COLUMN,…", help="cli_help.record_columns")
+        str | None, typer.Option(metavar="t=COLUMN,x=COLUMN,…|rows", help="cli_help.record_columns")
     ],
     "set": Annotated[
         list[str] | None, typer.Option(metavar="shaking.KEY=VALUE", help="cli_help.set_shaking")

@@ -127,7 +127,7 @@ class ShakingTable(PythonTable):
     columns: fields.Text | None = Field(
         default=None,
         description="Which columns of the record's file are the time and the components, by their headings "
-        "or their places: t=1,x=2,y=3,z=4.",
+        "or their places: t=1,x=2,y=3,z=4; or rows, where each row has several samples of one series.",
     )
     skip_lines: Annotated[int, fields.between(0, MOST_SKIPPED)] | None = Field(
         default=None, description="How many lines at the beginning of the record's file are passed over."

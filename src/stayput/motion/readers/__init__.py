@@ -69,6 +69,7 @@ def read_motion(
     columns : str or mapping, optional
         Of columns of numbers, which are the time and the components, by their headings or their places:
         "t=time,x=acc_2,z=4" or ``{"t": 1, "x": 3}``; the others are not read. Without t, ``dt`` is given.
+        "rows" where each row has several samples of one series.
     skip_lines : int
         How many lines at the beginning of the file are passed over.
     decimal_comma : bool

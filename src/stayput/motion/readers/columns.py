@@ -1,8 +1,8 @@
 """Columns of numbers, parted by blanks, tabs, commas or semicolons.
 
 One column is x, with ``dt`` from the caller; two are time and x; four are time, x, y, z; or ``columns``
-says which are these. Velocities, displacements and the magnitude of the acceleration, by their headings, are
-left out beside accelerations.
+says which are these, or by "rows" that each row has several samples of one series. Velocities, displacements
+and the magnitude of the acceleration, by their headings, are left out beside accelerations.
 Lines that begin with "#", "%", "//" or "!" are comments. Titles, a line of headings and a row of units may
 stand above the numbers: the column that is headed "time" or "t" is the time, in s or "[ms]"; without such
 a heading the first is, unless it counts the samples, 1, 2, 3, …: then ``dt`` must be given. A comment may
@@ -185,7 +185,7 @@ def read_columns(
     InputError
         No unit or time step, another number of columns, an incomplete row, irregular sampling.
     """
-    chosen = chosen or {}
+    chosen, in_rows = ({}, True) if chosen == SERIES_IN_ROWS else (chosen or {}, False)
     head = _head(text, chosen=bool(chosen))
     if not head.rows:
         raise InputError("motion.few_rows", rows=0)
@@ -199,12 +199,14 @@ def read_columns(
         written, size = sorted(stated.tolist())
     width = len(_samples(head.rows[0]))
     in_doubt = size is not None or ("t" not in chosen and (bool(chosen) or width not in _LABELS))
-    series = in_doubt and _is_one_series(text, skipped, head.rows[0], size)
+    series = in_rows or (in_doubt and _is_one_series(text, skipped, head.rows[0], size))
     if series and chosen and width > 1:
-        raise InputError("motion.rows_of_one_series", "columns", count=width)
-    if series and size is None:
+        raise InputError("motion.rows_of_one_series", "columns", count=width, option="columns")
+    if series and size is None and not in_rows:
         warn(InputWarning("motion.rows_taken_as_samples", count=width))
     places, headings = _chosen_columns(head, chosen) if chosen else _usual_columns(head, series, written)
+    if [*chosen] == ["x"] and width > 1 and not any(headings.texts[1:]):
+        warn(InputWarning("motion.one_column_of_rows", "columns", count=width, option="columns"))
     # Where one column of several is read, a heading speaks of its own column alone.
     count = len(_fields(head.rows[0], chosen=bool(chosen)))
     remarks = [line for line in above if count < 3 or not headings.texts or len(headings_in(line)) != count]
@@ -320,6 +322,9 @@ def _usual_columns(head: _Head, counted: bool, step: float | None) -> tuple[Sequ
 ROLES = ("t", "x", "y", "z")
 """What a column may hold: the time, and the components of a motion."""
 
+SERIES_IN_ROWS = {"rows": ""}
+"""The choice of no columns, where each row has several samples of one series."""
+
 MOST_SKIPPED = 10_000
 """Most lines that are passed over at the beginning of a file."""
 
@@ -345,7 +350,7 @@ def chosen_columns(columns: object, name: str = "columns") -> dict[str, str]:
     Parameters
     ----------
     columns : str, mapping of str to str or int, or None
-        Headings, or places from 1 on; None where nothing is said.
+        Headings, or places from 1 on; "rows" of one series in rows; None where nothing is said.
     name : str
         What refusals call it.
 
@@ -356,6 +361,8 @@ def chosen_columns(columns: object, name: str = "columns") -> dict[str, str]:
     """
     if columns is None:
         return {}
+    if columns == "rows":
+        return SERIES_IN_ROWS
     if isinstance(columns, str):
         pairs = named_columns(columns, "motion.columns_like", name)
     else:
