@@ -18,10 +18,11 @@ from typer.testing import CliRunner
 import stayput as sp
 from stayput.catalogue import LANGUAGES, phrase, say
 from stayput.cli import app
+from stayput.fragility.probabilities import probability
 from stayput.measures import MEASURES, Belt, LBracket, WedgeStopper
 from stayput.measures.measure import Grade
 from stayput.mechanics.devices.columns import DEVICE
-from stayput.montecarlo.counting import SLIDE_LIMIT
+from stayput.montecarlo.counting import OVERTURNED, SLIDE_LIMIT
 from stayput.report.room.card import plan_html
 from stayput.report.room.elevation import ELEVATION_SCALES, SIZES, elevation_scale, elevation_svg, sizes_of
 from stayput.rooms.purchases import MARGIN, QUANTILE, DeviceForces, Purchase, purchases_of, quantile_of
@@ -30,6 +31,7 @@ from stayput.uncertainty import USUAL
 from stayput.verification.changes import Change, with_changes
 from stayput.verification.contest import Contest
 from stayput.verification.options import inputs_of_piece
+from stayput.verification.people import Outlook
 from stayput.verification.room_words import people_in, piece_name
 from stayput.verification.words import class_phrase
 
@@ -157,10 +159,41 @@ def test_what_still_falls_is_said(plan: sp.ActionPlan):
     before = plan.verdict
     nothing = replace(plan, steps=(), unsolved=("bookcase",))
     chance = next(one for one in before.without.pieces if one.name == "bookcase").probabilities["overturned"]
-    told = phrase("action_plan.piece_falls", piece=piece_name("bookcase"), was=chance.share)
+    told = phrase("action_plan.piece_falls", piece=piece_name("bookcase"), was=chance.texts)
     for number, language in enumerate(LANGUAGES):
         assert told[number] in plan_html(nothing, language).replace("\xa0", " ")
     assert "helps with: bookcase" in plan_html(nothing)
+
+
+@pytest.mark.parametrize("without", ["steps", "anything"])
+def test_how_the_room_is_leads_on_every_card(plan: sp.ActionPlan, rented: sp.ActionPlan, without: str):
+    """A plan without steps that finds nothing good enough tells who is hit too, with the interval."""
+    fix = rented.not_enough["bookcase"]
+    not_enough = {"bookcase": fix} if without == "steps" else {}
+    bare = replace(plan, steps=(), unsolved=(), not_enough=not_enough)
+    hit = people_in(plan.verdict).hit.chance
+    assert hit.estimate > 0.0
+    what = phrase("rooms.chance_of_hit")
+    told = phrase("action_plan.chance", what=what, share=hit.texts)
+    for number, language in enumerate(LANGUAGES):
+        for one in (plan, bare):
+            first = re.search(r'<p class="sentence">(.*?)</p>', plan_html(one, language))
+            assert first is not None
+            assert told[number] in first[1].replace("\xa0", " ")
+        assert "nothing has to be bought" not in plan_html(bare, language)
+        assert "買う物はありません" not in plan_html(bare, language)
+
+
+def test_chances_on_the_card_have_their_intervals(plan: sp.ActionPlan):
+    """In "about 30 % (18 to 46 %) → under 17 %" the share that was has one as that which will be."""
+    often, verdict = probability(np.arange(40).reshape(40, 1) < 12), plan.verdict
+    people = replace(people_in(verdict), hit=Outlook(often, None))
+    probabilities = {**verdict.without.probabilities, OVERTURNED: often}
+    pieces = tuple(replace(one, probabilities=probabilities) for one in verdict.without.pieces)
+    without = replace(verdict.without, pieces=pieces, people=people)
+    page = html.unescape(plan_html(replace(plan, verdict=replace(verdict, options=(without,)))))
+    assert f"{often.text} →" in page.replace("\xa0", " ")
+    assert not re.search(r"about [\d.]+ % →", page.replace("\xa0", " "))
 
 
 def test_on_tatami_there_is_neither_gel_nor_a_wedge():
@@ -299,7 +332,18 @@ def test_a_room_in_which_nothing_does_harm_needs_nothing():
     calm = planned(alone(intensity="3"))
     assert calm.steps == ()
     assert calm.together is None
+    assert "no piece hit anybody or blocked a door or overturned often" in plan_html(calm)
     assert "nothing has to be bought" in plan_html(calm)
+
+
+@pytest.mark.parametrize("intensity", ["3", "6-upper"])
+def test_a_card_of_a_room_without_persons_tells_of_none(intensity: str):
+    shaking = {**ROOM["shaking"], "intensity": intensity}
+    card = planned(room(furniture=ROOM["furniture"][:1], places=[], shaking=shaking))
+    assert bool(card.steps or card.not_enough) == (intensity == "6-upper")
+    for language, words in (("en", "hit|anybody|somebody|bed"), ("ja", "人に|ベッド")):
+        page = re.sub(r"<(style|script)>.*?</\1>", "", plan_html(card, language), flags=re.DOTALL)
+        assert not re.findall(words, page.split("<main>")[0].split("<header>")[1] + page.split("<main>")[1])
 
 
 @pytest.mark.parametrize(

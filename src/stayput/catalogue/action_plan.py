@@ -19,10 +19,12 @@ TEXTS: dict[str, tuple[str, str]] = {
                     "倒れにくくなります")),
     "no_gain": ("no clear difference in these runs", "計算した範囲では、明らかな差はありません"),
     "decided": ("your choice", "決めた変更"),
-    "nothing": (("In the runs no piece hit anybody, blocked a door or overturned often: nothing has to be "
-                 "bought."),
-                ("計算では、家具が人に当たることも、ドアをふさぐことも、"
-                 "何度も倒れることもありませんでした。買う物はありません。")),
+    "nothing": ("In the runs no piece {harm}: nothing has to be bought.",
+                "計算では、家具が{harm}もありませんでした。買う物はありません。"),
+    "hit_nobody": ("hit anybody", "人に当たること"),
+    "blocked_no_door": ("blocked a door", "ドアをふさぐこと"),
+    "seldom_overturned": ("overturned often", "何度も倒れること"),
+    "nor": (" or ", "も、"),
     "in_place": ("Taken as in place already: {measures}.", "取り付け済みとした対策：{measures}。"),
     "unsolved": ("Nothing that was tried helps with: {pieces}.",
                  "試した対策では効果がなかった家具：{pieces}。"),
@@ -94,10 +96,10 @@ TEXTS: dict[str, tuple[str, str]] = {
                      ("買う前に、家具を壁の下地にねじで留めてよいか、"
                       "大家さんや管理会社に相談してください。国土交通省の原状回復のガイドラインも、"
                       "家具の転倒防止では前もって貸主の承諾を得る方法を挙げています。")),
-    "out_of_reach": (("Put beds and desks out of its reach, keep heavy things at the bottom, or choose a "
-                      "lower piece."),
-                     ("ベッドや机を家具が届かない所に移す、重い物を下の段に入れる、背の低い家具に替える、"
-                      "という方法もあります。")),
+    "out_of_reach": ("Put beds and desks out of its reach.",
+                     "ベッドや机を、家具が届かない所に移す方法があります。"),
+    "lower_piece": ("Keep heavy things at the bottom, or choose a lower piece.",
+                    "重い物を下の段に入れる、背の低い家具に替える、という方法もあります。"),
     "weak_anywhere": ("without reserve in JMA intensity 4 too", "震度4でも余裕がありません"),
     # Why measures were not taken
     "not_taken": ("What was not taken, and why", "選ばなかった対策と理由"),
@@ -141,9 +143,9 @@ TEXTS: dict[str, tuple[str, str]] = {
                "up to ¥{high:,} or €{high_euro}, 3 more."),
               ("費用の目安は大まかな区分で、実際の価格ではありません。家具1台につき、1は{low:,}円まで、"
                "2は{high:,}円まで、3はそれより高いものです。")),
-    "runs": (("Chances with their 95 % intervals are from {runs} runs of the room, under {motions} (seed "
-              "{seed}) without and with each step. stayput {version}."),
-             ("確率とかっこ内の95%区間は、各項目を行う前と後を、"
+    "runs": (("Chances with their 95 % intervals, and shares of the runs without one, are from {runs} runs "
+              "of the room, under {motions} (seed {seed}) without and with each step. stayput {version}."),
+             ("確率とかっこ内の95%区間、区間のない計算の割合は、各項目を行う前と後を、"
               "{motions}（乱数のシード{seed}）で{runs}回ずつ計算したものです。バージョン{version}。")),
     "same_motions": ("the same {count} motions", "同じ{count}本の地震動"),
     "limits": (("This is a calculation for the furniture and the earthquakes that were stated: no "

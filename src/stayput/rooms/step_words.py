@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from stayput.measures import Held
     from stayput.rooms.purchases import Purchase
     from stayput.rooms.steps import NotTaken, Trial
+    from stayput.verification.people import People
     from stayput.verification.verdict import OptionVerdict
 
 KILOGRAM = 9.80665
@@ -166,6 +167,13 @@ def worth_telling(effect: OptionVerdict, plan: ActionPlan) -> dict[str, tuple[Pr
     }
 
 
+def nothing_happened(people: People) -> Phrase:
+    """Return that no piece did harm in the runs, to persons and to doors where there are any."""
+    events = ["hit_nobody"] * bool(people.places) + ["blocked_no_door"] * bool(people.doors)
+    harm = (phrase(f"action_plan.{event}") for event in (*events, "seldom_overturned"))
+    return phrase("action_plan.nothing", harm=joined(harm, "action_plan.nor"))
+
+
 def falls(plan: ActionPlan) -> Phrase | None:
     """Return which pieces overturn often, before the steps and after all of them; None where none does."""
     now, then = plan.verdict.without.pieces, () if plan.together is None else plan.together.pieces
@@ -175,7 +183,7 @@ def falls(plan: ActionPlan) -> Phrase | None:
     names = plan.verdict.scenario.names
 
     def sentence(name: str) -> Phrase:
-        was = before[name].share
+        was = before[name].texts
         if name not in after:
             return phrase("action_plan.piece_falls", piece=piece_name(name), was=was)
         now = after[name].texts
@@ -204,7 +212,7 @@ def effects(effect: OptionVerdict, plan: ActionPlan, before: OptionVerdict | Non
     rows = [(key, first[key][0] if first else was, chance) for key, (chance, was) in after.items()]
     changed = [row for row in rows if row[1].share != row[2].share]
     return joined(
-        phrase("action_plan.changes", what=phrase(f"rooms.chance_of_{key}"), was=was.share, now=chance.texts)
+        phrase("action_plan.changes", what=phrase(f"rooms.chance_of_{key}"), was=was.texts, now=chance.texts)
         for key, was, chance in changed or rows
     )
 
@@ -226,7 +234,8 @@ def what_it_brings(number: int, plan: ActionPlan) -> Iterator[Phrase]:
     """
     step = plan.steps[number - 1]
     if not step.for_people and (not step.decided or changes_nothing(step.alone, plan)):
-        yield phrase("action_plan.only_falls" if _steadies(step) else "action_plan.no_gain")
+        if people_in(plan.verdict).places or not _steadies(step):
+            yield phrase("action_plan.only_falls" if _steadies(step) else "action_plan.no_gain")
         return
     alone = effects(step.alone, plan)
     if not step.alone.helps:

@@ -21,7 +21,7 @@ from stayput.rooms import step_words
 from stayput.rooms.purchases import MARGIN, QUANTILE
 from stayput.rooms.steps import COST_BOUNDS, ActionPlan, Fix, PlanStep
 from stayput.uncertainty import USUAL, Lognormal
-from stayput.verification.room_words import motion_phrase, piece_name, piece_within
+from stayput.verification.room_words import motion_phrase, people_in, piece_name, piece_within
 from stayput.verification.words import shaking_phrase
 from stayput.wording import joined
 
@@ -74,18 +74,20 @@ def plan_html(plan: ActionPlan, language: str = "en") -> str:
 def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
     """Yield how it is, how it would be, and what was asked for."""
     verdict, together, falling = plan.verdict, plan.together, step_words.falls(plan)
-    if together is None and falling is None and not plan.unsolved and not plan.not_enough:
-        yield phrase("action_plan.nothing")
-    chances = {} if together is None else step_words.worth_telling(together, plan)
+    chances = step_words.worth_telling(verdict.without if together is None else together, plan)
     if chances:
-        now = joined(_chance(key, was.share) for key, (_, was) in chances.items())
-        then = joined(_chance(key, chance.texts) for key, (chance, _) in chances.items())
         only, strength = motion_phrase(verdict), shaking_phrase(verdict)
         key = "action_plan.shaking" if only is None else "action_plan.shaking_of_one"
         shaking = phrase(key, strength=strength, motion=only or "")
+        now = joined(_chance(key, was) for key, (_, was) in chances.items())
         yield phrase("action_plan.now", shaking=shaking, chances=now)
+    if chances and together is not None:
         key = "action_plan.then_one" if len(plan.steps) == 1 else "action_plan.then"
+        then = joined(_chance(key, chance) for key, (chance, _) in chances.items())
         yield phrase(key, last=len(plan.steps), chances=then)
+    harmless = falling is None and not any(was.estimate for _, was in chances.values())
+    if harmless and together is None and not plan.unsolved and not plan.not_enough:
+        yield step_words.nothing_happened(people_in(verdict))
     if falling is not None:
         yield phrase("action_plan.falls", pieces=falling)
     in_place = [
@@ -104,8 +106,8 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
         yield phrase("action_plan.home", conditions=conditions)
 
 
-def _chance(key: str, share: object) -> Phrase:
-    return phrase("action_plan.chance", what=phrase(f"rooms.chance_of_{key}"), share=share)
+def _chance(key: str, chance: Probability) -> Phrase:
+    return phrase("action_plan.chance", what=phrase(f"rooms.chance_of_{key}"), share=chance.texts)
 
 
 def _plan(
@@ -203,7 +205,8 @@ def _dead_end(plan: ActionPlan, language: str) -> dict[str, Any] | None:
         if name in (*plan.not_enough, *plan.unsolved)
     ]
     unclear = any(not fix.too_weak for fix in plan.not_enough.values())
-    keys = ["more_runs"] * unclear + ["ask_landlord"] * plan.home.no_drilling + ["out_of_reach"]
+    keys = ["more_runs"] * unclear + ["ask_landlord"] * plan.home.no_drilling
+    keys += ["out_of_reach"] * bool(people_in(plan.verdict).places) + ["lower_piece"]
     return {
         "heading": text("not_enough", pieces=joined(map(piece_name, dict.fromkeys(names)))),
         "sentences": [*map(text, keys)],
@@ -262,7 +265,7 @@ def _lines_of_other(fix: Fix, was: Probability, plan: ActionPlan) -> Iterator[tu
 
 
 def _overturns(was: Probability, now: Probability) -> Phrase:
-    return phrase("action_plan.overturns", was=was.share, now=now.texts)
+    return phrase("action_plan.overturns", was=was.texts, now=now.texts)
 
 
 def _notes(plan: ActionPlan) -> Iterator[Phrase]:
