@@ -32,7 +32,13 @@ from stayput.report.verdict.assumptions import assumptions
 from stayput.report.verdict.data import verdict_data
 from stayput.report.verdict.exports import write_curves
 from stayput.report.verdict.numbers import capacity, capacity_interval, change, force, length, share
-from stayput.report.verdict.tables import device_rows, simulations, verdict_csv, verdict_markdown
+from stayput.report.verdict.tables import (
+    DEVICE_COLUMNS,
+    device_rows,
+    simulations,
+    verdict_csv,
+    verdict_markdown,
+)
 from stayput.scenario.measures import Option
 from stayput.simulation.outcome import EventKind, Mode, Outcome
 from stayput.uncertainty import USUAL
@@ -97,17 +103,32 @@ def test_markdown_of_nothing_known_says_so(language):
 @pytest.mark.parametrize(("language", "moment"), [("en", "12.3 s"), ("ja", "12.3 秒")])
 def test_a_device_is_told_with_its_load_its_margin_and_when_it_failed(language, moment):
     verdict = verdict_cases.made()
-    (row,) = device_rows(verdict.best, language)
+    (row,) = device_rows(verdict.best, verdict, language)
     device = verdict.best.devices[0]
     assert device.failed.texts[language == "ja"] == row[1]
     assert row[2] == moment
     assert [part in row[4] for part in ("900 N", "1.8 kN")] == [True, True]
     assert [share(part, language) in row[5] for part in (0.45, 0.9)] == [True, True]
     unhurt = replace(device, failure_time=math.nan, used=Quantiles(0.0, 0.0))
-    assert device_rows(replace(verdict.best, devices=(unhurt,)), language)[0][2:6:3] == ("–", "–")
+    assert device_rows(replace(verdict.best, devices=(unhurt,)), verdict, language)[0][2:6:3] == ("–", "–")
     text = verdict_markdown(verdict, language)
     assert all(cell in text for cell in row)
     assert numbers.word("estimates", language) in text
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+@pytest.mark.parametrize(
+    "furniture", [{"preset": "bookcase"}, [{"preset": "bookcase"}]], ids=["table", "list"]
+)
+def test_rows_of_tables_have_the_columns_of_their_headings(language, furniture):
+    """A list of one piece too, whose devices say what they hold."""
+    verdict = verdict_cases.made({**verdict_cases.SCENARIO, "furniture": furniture})
+    tables = re.findall(r"(?:^\|.*\n)+", verdict_markdown(verdict, language), re.MULTILINE)
+    assert len(tables) == 4
+    for table in tables:
+        assert len({len(re.findall(r"(?<!\\)\|", line)) for line in table.splitlines()}) == 1
+    (row,) = device_rows(verdict.best, verdict, language)
+    assert len(row) == len(DEVICE_COLUMNS) + isinstance(furniture, list)
 
 
 def test_motions_of_suites_have_names_in_both_languages():

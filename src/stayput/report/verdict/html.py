@@ -141,7 +141,7 @@ def _detail(result: OptionVerdict, verdict: Verdict, language: str) -> dict[str,
         "rank": result.rank,
         "about": [say(measure.about, language) for measure in measures],
         "change": "" if result.change is None else numbers.change(result.change, language),
-        "devices": tables.device_rows(result, language),
+        "devices": tables.device_rows(result, verdict, language),
         "parameters": [(say(m.label, language), _parameters(m, language)) for m in measures],
     }
 

@@ -80,7 +80,7 @@ def _lines(verdict: Verdict, language: str) -> Iterator[str]:
     devices = [
         (title(row.option.option, verdict, language), *each)
         for row in rows
-        for each in device_rows(row.option, language)
+        for each in device_rows(row.option, verdict, language)
     ]
     if devices:
         holds = () if alone else (say("several.holds", language),)
@@ -253,24 +253,27 @@ def weakest_inputs(result: OptionVerdict, verdict: Verdict, language: str) -> st
     return word("listed", language).join(say(item.label, language) for item in inputs)
 
 
-def device_rows(result: OptionVerdict, language: str) -> list[tuple[str, ...]]:
+def device_rows(result: OptionVerdict, verdict: Verdict, language: str) -> list[tuple[str, ...]]:
     """Return the results of each device and joint of an option, as texts.
 
     Parameters
     ----------
     result : OptionVerdict
         The option.
+    verdict : Verdict
+        The verdict that it is of.
     language : str
         "en" or "ja".
 
     Returns
     -------
     list of tuple
-        Of several pieces which it holds; name, share of failures with its interval, median time of failure,
-        weakest link, and median and 90 % of the peak force and of the part of the strength that was used.
+        Which piece it holds, unless there is only one; name, share of failures with its interval, median time
+        of failure, weakest link, and median and 90 % of the peak force and of the part of the strength that
+        was used.
     """
     labels = {JOINT: JOINT_LABEL} | {measure.kind: measure.label for measure in result.option.measures}
-    joint, several = " – " if language == "en" else "と", len(result.pieces) > 1
+    joint, several = " – " if language == "en" else "と", not verdict.scenario.alone
     return [
         (
             *(joint.join(device.pieces),) * several,
