@@ -27,7 +27,7 @@ from stayput.verification import Verdict
 from stayput.verification.changes import Change, with_changes
 from stayput.verification.events import CELL, Zones
 from stayput.verification.people import DoorVerdict, HitVerdict, Outlook, People, PlaceVerdict
-from stayput.verification.room_words import people_in, piece_changed, sentence_of_room
+from stayput.verification.room_words import people_in, piece_changed, piece_within, sentence_of_room
 from stayput.verification.verdict import OptionVerdict, PieceVerdict
 
 HOSTILE = "<script>alert('&')</script>"
@@ -175,7 +175,15 @@ def counting_hours(people):
 def barred(verdict):
     """Return the chances that the report draws as bars, in its order."""
     return [
-        *(chance for one in people_in(verdict).places for chance in (one.hit, one.crushed, one.touched)),
+        *(
+            chance
+            for one in people_in(verdict).places
+            for chance in (
+                *(one.hit, one.crushed, one.touched),
+                *[one.by_day] * (one.place.day > 0.0),
+                *[one.by_night] * (one.place.night > 0.0),
+            )
+        ),
         *(one.probability for place in people_in(verdict).places for one in place.by),
         *(one.blocked for one in people_in(verdict).doors if not one.at_rest),
         *(one.shut_in for one in people_in(verdict).places),
@@ -240,6 +248,34 @@ def test_the_tables_hold_the_numbers_of_their_rows():
     pieces = rows_of(verdict, "pieces")
     assert [row[4][0] for row in pieces] == ["123 J", "23 J"]
     assert pieces[0][3] == ("2.1 cm", "90 %: 4.3 cm")
+
+
+def test_hours_have_intervals_as_their_neighbours_have():
+    verdict = made()
+    for place, row in zip(people_in(verdict).places, rows_of(verdict, "places"), strict=True):
+        for chance, time, (value, _) in zip(
+            (place.by_day, place.by_night), (place.place.day, place.place.night), row[4:], strict=True
+        ):
+            assert value == (chance if time else "0 %")
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_a_piece_that_hits_somebody_is_not_told_as_merely_overturning(language):
+    """What else falls on somebody is told so beside the first piece, with its interval."""
+    verdict = made()
+    (place, *_) = people_in(verdict).places
+    by = tuple(replace(hit, by_falling=True) for hit in place.by)
+    several = with_people(verdict, places=(replace(place, by=by),))
+    pieces = several.without.pieces
+    assert [piece.falls for piece in pieces] == [True, True]
+    told = sentence_of_room(several, language)
+    second = say(by[1].probability.texts, language)
+    assert say("rooms.other_piece", language, piece=piece_within(by[1].piece), share=second) in told
+    alone = say(pieces[1].probabilities["overturned"].share, language)
+    assert alone not in told
+    seldom = replace(by[1], probability=NEVER)
+    rarely = with_people(verdict, places=(replace(place, by=(by[0], seldom)),))
+    assert alone in sentence_of_room(rarely, language)  # what hits in no run is told as overturning
 
 
 def test_where_nobody_was_hit_the_hours_count_too():

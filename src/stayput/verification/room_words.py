@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import chain, repeat
 from typing import TYPE_CHECKING
 
@@ -20,7 +20,7 @@ from stayput.wording import called, default_name, inside, joined, name_quoted, n
 
 if TYPE_CHECKING:
     from stayput.fragility.paired import Difference
-    from stayput.verification.people import People
+    from stayput.verification.people import HitVerdict, People
     from stayput.verification.verdict import OptionVerdict, PieceVerdict, Verdict
 
 TOLD = 0.005
@@ -119,12 +119,16 @@ def _clauses(verdict: Verdict) -> Iterator[Phrase]:
     reached = [each for each in reached if each[1].probability.estimate >= TOLD] or reached
     if people.places and not any(first.by_falling for _, first in reached):
         yield phrase("rooms.nobody_hit", often=often(people.hit.chance, next(cases)))
+    hitting = set[str]()
     for place, first in reached:
         values = {"piece": piece_within(first.piece), "place": _where_somebody_is(place.place)}
-        key = "rooms.falls_on" if first.by_falling else "rooms.touches"
-        yield happens(key, first.probability, **values)
-    named = {first.piece for _, first in reached if first.by_falling}
-    falling = [piece for piece in verdict.without.pieces if piece.falls and piece.name not in named]
+        if not first.by_falling:
+            yield happens("rooms.touches", first.probability, **values)
+            continue
+        others = [hit for hit in place.by[1:] if hit.by_falling and hit.probability.estimate >= TOLD]
+        hitting |= {first.piece, *(hit.piece for hit in others)}
+        yield happens("rooms.falls_on", first.probability, **values, others=_so_do(others))
+    falling = [piece for piece in verdict.without.pieces if piece.falls and piece.name not in hitting]
     falling.sort(key=lambda piece: -piece.probabilities["overturned"].estimate)
     if falling:
         first, *others = falling
@@ -144,6 +148,17 @@ def _clauses(verdict: Verdict) -> Iterator[Phrase]:
         yield phrase("rooms.shut_in_already")
     elif shut is not None and shut.shut_in.estimate >= TOLD:
         yield happens("rooms.shut_in", shut.shut_in, place=_where_somebody_is(shut.place))
+
+
+def _so_do(hits: Sequence[HitVerdict]) -> Phrase:
+    """Return what other pieces fall on the same place and how often; empty where none does."""
+    if not hits:
+        return "", ""
+    each = (
+        phrase("rooms.other_piece", piece=piece_within(hit.piece), share=hit.probability.texts)
+        for hit in hits
+    )
+    return phrase("rooms.so_do_others", pieces=joined(each))
 
 
 def option_label(option: OptionVerdict, verdict: Verdict, language: str) -> str:

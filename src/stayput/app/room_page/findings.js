@@ -2,7 +2,7 @@
 
 import { bar } from "../bars.js";
 import { el, fill, part } from "../dom.js";
-import { both, chance, number, perCent, share, t } from "../words.js";
+import { both, chance, number, perCent, t } from "../words.js";
 import { capital, quantile } from "./amounts.js";
 import { kindName } from "./kinds.js";
 
@@ -28,7 +28,7 @@ const hint = (text) => el("p", { class: "hint", text });
 
 function place(one, { crushed_from_J: energy }) {
   const harder = hint(
-    t("crushedOrTouched", { energy: number(energy), crushed: share(one.crushed), touched: share(one.touched) }),
+    t("crushedOrTouched", { energy: number(energy), crushed: chance(one.crushed), touched: chance(one.touched) }),
   );
   const when = hint(t("dayAndNight", { day: timed(one.hit, one.hit_by_day), night: timed(one.hit, one.hit_at_night) }));
   return el(
@@ -42,7 +42,7 @@ function place(one, { crushed_from_J: energy }) {
 /** A chance of being hit times the part of the time that somebody is there. */
 function timed({ estimate, low, high }, hit) {
   const part = estimate ? hit / estimate : 1;
-  return share({ estimate: hit, low: part * low, high: part * high });
+  return chance({ estimate: hit, low: part * low, high: part * high });
 }
 
 const hitBy = ({ piece, probability, by_falling: falling, mass_kg: mass, speed_m_s: speed, energy_J: energy }) =>
@@ -79,8 +79,8 @@ function pieces(result) {
         [
           harm > 0 ? t("contributes", { share: t("about", { share: perCent(10 * Math.round((10 * harm) / all)) }) }) : "",
           inTheWay(result, name),
-          t("pieceSlides", { share: share(p.slid) }),
-          p.device_failed?.estimate > 0 ? t("pieceFails", { share: share(p.device_failed) }) : "",
+          t("pieceSlides", { share: chance(p.slid) }),
+          p.device_failed?.estimate > 0 ? t("pieceFails", { share: chance(p.device_failed) }) : "",
         ]
           .filter(Boolean)
           .join(t("space")),
@@ -93,7 +93,7 @@ function pieces(result) {
 function inTheWay({ changes, shut_in: now }, name) {
   const freed = changes.find((one) => one.what === name && one.better.includes("shut_in"));
   if (!freed) return "";
-  return t("inTheWay", { now: share(now), then: share(freed.shut_in), change: both(freed.label) });
+  return t("inTheWay", { now: chance(now), then: chance(freed.shut_in), change: both(freed.label) });
 }
 
 /** The pieces that overturn often without hitting anybody, with how often. */
@@ -102,6 +102,6 @@ export function fallingAlone({ pieces, places }) {
   return pieces
     .filter(({ name, falls }) => falls && !hitting.has(name))
     .map(({ name, probabilities: { overturned } }) =>
-      t("fallsOften", { piece: kindName("furniture", name), share: share(overturned) }),
+      t("fallsOften", { piece: kindName("furniture", name), share: chance(overturned) }),
     );
 }

@@ -120,7 +120,7 @@ def sections(verdict: Verdict, options: Sequence[OptionVerdict], language: str) 
 
     def here(chance: Probability, time: float) -> TableCell:
         there = own("presence", share=numbers.share(time, language))
-        return TableCell(numbers.probability(chance, language), there)
+        return TableCell(chance if time else numbers.share(0.0, language), there)
 
     def known(chance: Probability, at_rest: bool) -> TableCell:
         return TableCell("", own("at_rest"), "low") if at_rest else TableCell(chance)
