@@ -242,6 +242,8 @@ def read_toml(file: Path) -> dict[str, object]:
             raise _refused(file, "not_read", reason=phrase("motion.a_device"))
         with file.open("rb") as opened:
             data = opened.read(LARGEST_FILE + 1)
+    except InputError:
+        raise
     except (OSError, ValueError) as error:  # ValueError: a zero byte in the path
         raise _refused(file, "not_read", reason=reason_of(error)) from None
     return table_of_bytes(data, file)
