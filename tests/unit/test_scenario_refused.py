@@ -205,6 +205,9 @@ def test_a_table_in_a_room_is_a_list_of_one() -> None:
     assert runs[0].place.tobytes() == runs[1].place.tobytes()
 
 
+CUBE = "".join(f"v {n >> 2 & 1} {n >> 1 & 1} {n & 1}\n" for n in range(8)) + (
+    "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n"
+)
 WINDOW = {"wall": "right_wall", "start": 0.5, "width": 0.8}
 OPENINGS = {"plan": {"width": 3.6, "length": 2.7}, "doors": [{**WINDOW, "start": 0.2}]}
 
@@ -219,6 +222,21 @@ OPENINGS = {"plan": {"width": 3.6, "length": 2.7}, "doors": [{**WINDOW, "start":
         ),
         ({"furniture": {"preset": "wardrobe", "mass": 0.001}}, "between 1 and 25,000 kg/m³", "平均密度"),
         ({"furniture": {"preset": "chest", "width": 100.0}}, "between 0.001 and 30", "0.001～30"),
+        (
+            {"furniture": {"diameter": 0.4, "height": 1.8, "mass": 0.001}},
+            "a mean density of 0.00445 kg/m³",
+            "平均密度",
+        ),
+        (
+            {"furniture": {"bottom": 0.1, "top": 0.2, "height": 0.3, "mass": 80_000.0}},
+            "between 1 and 25,000 kg/m³",
+            "平均密度",
+        ),
+        (
+            {"furniture": [{"mesh": "cube.obj", "unit": "m", "mass": 800_000.0}]},
+            "a mean density of 8e+05 kg/m³",
+            "平均密度",
+        ),
         ({"shaking": {"pga": 2937.0}}, "between 0.001 and 1000", "0.001～1000"),
         (
             {**OPENINGS, "windows": [WINDOW]},
@@ -228,6 +246,7 @@ OPENINGS = {"plan": {"width": 3.6, "length": 2.7}, "doors": [{**WINDOW, "start":
     ],
 )
 def test_what_no_room_has(tmp_path: Path, changed: dict[str, Any], english: str, japanese: str) -> None:
+    (tmp_path / "cube.obj").write_text(CUBE)
     file = written(tmp_path, ONE | changed)
     assert english in printed(file)
     assert japanese in printed(file, "--lang", "ja")
@@ -241,5 +260,7 @@ def test_a_window_may_be_above_a_door() -> None:
 
 @pytest.mark.skipif(os.name != "posix", reason="pipes with names are those of POSIX")
 def test_a_pipe_that_nobody_writes_to_is_not_waited_for(tmp_path: Path) -> None:
-    os.mkfifo(tmp_path / "pipe.toml")
-    assert "it could not be read: a device or a pipe" in both_print(tmp_path / "pipe.toml")
+    pipe = tmp_path / "pipe.toml"
+    os.mkfifo(pipe)
+    assert both_print(pipe).split(";")[1:] == [" it could not be read: a device or a pipe.\n"]
+    assert printed(pipe, "--lang", "ja").endswith("：読み込めませんでした（デバイスまたはパイプ）。\n")

@@ -21,6 +21,7 @@ from stayput.model.parameters import (
     parameter_of,
     quantity,
 )
+from stayput.model.polyhedron import enclosed_volume, triangulated
 from stayput.model.shapes import Shapes, section_of
 from stayput.model.solid import BASES, Solid
 from stayput.uncertainty import Confidence
@@ -368,12 +369,14 @@ def check_density(body: Body) -> Body:
 
     Bodies themselves may have any: how one moves without devices does not depend on it.
     """
-    section = body.width * body.height
-    shortest, longest = (body.length, body.length) if body.length else UNSTATED_LENGTH
+    if body.shape is not None:
+        small = large = enclosed_volume(body.shape.vertices, triangulated(body.shape.faces))
+    else:
+        shortest, longest = (body.length, body.length) if body.length else UNSTATED_LENGTH
+        small, large = (body.width * body.height * length for length in (shortest, longest))
     least, most = DENSITY_RANGE
-    if not least * section * shortest <= body.mass <= most * section * longest:
-        length = longest if body.mass > most * section else shortest
-        density = body.mass / (section * length)
+    if not least * small <= body.mass <= most * large:
+        density = body.mass / (large if body.mass > most * large else small)
         raise InputError("model.density", "mass", mass=body.mass, density=density, least=least, most=most)
     return body
 

@@ -165,10 +165,12 @@ class PieceTable(PythonTable, ValueTable):
             return self._in_python.get("body") or self.body()
         known = {"mass": self.mass} | ({} if self.base is None else {"base": self.base})
         if self.mesh is not None:
-            return Body.mesh(folder / self.mesh, unit=self.unit or "", **known)
-        if self.diameter is not None:
-            return Body.cylinder(self.diameter, self.height, **known)
-        return Body.cone(self.bottom or 0.0, self.top or 0.0, self.height, **known)
+            body = Body.mesh(folder / self.mesh, unit=self.unit or "", **known)
+        elif self.diameter is not None:
+            body = Body.cylinder(self.diameter, self.height, **known)
+        else:
+            body = Body.cone(self.bottom or 0.0, self.top or 0.0, self.height, **known)
+        return check_density(body)
 
     def standing(self, body: Body, measures: tuple[Measure, ...]) -> Piece:
         """Make the piece of its body, with measures in place."""
