@@ -1,9 +1,9 @@
 """Every sentence that stayput says, in English and in Japanese, each once and under an id.
 
 An id is ``"<module>.<key>"``: ``"motion.no_unit"`` is the key ``no_unit`` of `stayput.catalogue.motion`,
-which holds the sentences of the package `stayput.motion`. What varies stands in braces, with the format
-specifications of `str.format`. The catalogue knows nothing of the rest of stayput: its modules hold strings
-only.
+which holds the sentences of the package `stayput.motion`. The ``TEXTS`` of a module are its texts by their
+keys, in English and in Japanese. What varies stands in braces, with the format specifications of
+`str.format`. The catalogue knows nothing of the rest of stayput: its modules hold strings only.
 """
 
 from __future__ import annotations

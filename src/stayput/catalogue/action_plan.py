@@ -153,4 +153,3 @@ TEXTS: dict[str, tuple[str, str]] = {
                ("指定した家具と地震についての計算です。安全を保証するものではなく、"
                 "製品の説明書に代わるものでもありません。")),
 }
-"""Texts by their keys: English, Japanese."""

@@ -102,4 +102,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "not_served": ("The address is {host}, port {port}; it cannot be served: {reason}.",
                    "アドレス{host}、ポート{port}を使えません（{reason}）。"),
 }
-"""Texts by their keys: English, Japanese."""

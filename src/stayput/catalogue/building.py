@@ -19,4 +19,3 @@ TEXTS: dict[str, tuple[str, str]] = {
                          ("建物の最も短い固有周期が{period:g}秒になっています。"
                           "降伏を考える場合は{least:.2g}秒以上にしてください。")),
 }
-"""Texts by their keys: English, Japanese."""

@@ -82,4 +82,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "targets": ("japan[:LEVEL[,SOIL]], asce7:SDS,SD1[,TL] or a file that exists",
                 "japan[:LEVEL[,SOIL]]、asce7:SDS,SD1[,TL]、または存在するファイル"),
 }
-"""Texts by their keys: English, Japanese."""

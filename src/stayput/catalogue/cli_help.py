@@ -171,4 +171,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "port": ("Port; 0 takes a free one.", "ポート番号（0なら空いているもの）"),
     "browser": ("Open the page.", "ブラウザーでページを開くかどうか"),
 }
-"""Texts by their keys: English, Japanese."""

@@ -83,4 +83,3 @@ TEXTS: dict[str, tuple[str, str]] = {
                        ("ワーカーのstayputが{worker}になっています。"
                         "このコマンドと同じ{version}にしてください。")),
 }
-"""Texts by their keys: English, Japanese."""

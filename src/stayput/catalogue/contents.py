@@ -25,4 +25,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "given_up": ("The run of the furniture was given up; its contents cannot be followed.",
                  "家具の計算が打ち切られたため、収納物の動きを計算できません。"),
 }
-"""Texts by their keys: English, Japanese."""

@@ -114,4 +114,3 @@ TEXTS: dict[str, tuple[str, str]] = {
                   ("{option}はpelicun.csvに曲線上の点で書き出し、"
                    "{highest}を超えると必ず転倒するとみなしています。{why}")),
 }
-"""Texts by their keys: English, Japanese."""

@@ -129,4 +129,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "no_scheduler": ("The scheduler is {scheduler}; it could not be reached: {reason}.",
                      "スケジューラー{scheduler}に接続できませんでした：{reason}。"),
 }
-"""Texts by their keys: English, Japanese."""

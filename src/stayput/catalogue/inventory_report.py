@@ -182,4 +182,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "of_event": ("{event}: {expected}", "{event}：{expected}"),
     "dashboard": ("Dashboard of the cluster: {link}", "クラスターの状況：{link}"),
 }
-"""Texts by their keys: English, Japanese."""

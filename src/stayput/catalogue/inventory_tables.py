@@ -92,4 +92,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     # cells
     "column": ("Column {header}", "列{header}"),
 }
-"""Texts by their keys: English, Japanese."""

@@ -238,4 +238,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "upper_half": ("no more than the upper half of this piece holds", "家具の上半分にある分以下"),
     "kinetic_friction": ("The kinetic friction of “{measure}”", "「{measure}」の動摩擦係数"),
 }
-"""Texts by their keys: English, Japanese."""

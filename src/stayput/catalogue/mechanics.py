@@ -17,4 +17,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "brittle_with_interaction": ("0 where pull and shear act together", "引張とせん断が連成する場合は0"),
     "axial_has_no_shear": ("0 for an axial one, which has no shear", "せん断のない軸方向要素では0"),
 }
-"""Texts by their keys: English, Japanese."""

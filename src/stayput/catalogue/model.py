@@ -64,4 +64,3 @@ TEXTS: dict[str, tuple[str, str]] = {
                       ("{what}には{module}が必要ですが、インストールされていません。"
                        "stayputのソースのフォルダーで pip install '.[{extra}]' を実行してください。")),
 }
-"""Texts by their keys: English, Japanese."""

@@ -190,4 +190,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "no_record": ("{files}{more} (no record)", "{files}{more}（記録ではない）"),
     "and_more": (" and {count} more", "など（ほか{count}件）"),
 }
-"""Texts by their keys: English, Japanese."""

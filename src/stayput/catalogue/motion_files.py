@@ -245,4 +245,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "displacement": ("displacement", "変位"),
     "counts": ("raw counts or volts of a recorder", "収録器の生のカウント値や電圧"),
 }
-"""Texts by their keys: English, Japanese."""

@@ -407,4 +407,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "reportWait": ("Report and table are there once the chances have been worked out.",
                    "報告書と表は、確率の計算が終わると保存できます。"),
 }
-"""Texts by their keys: English, Japanese."""

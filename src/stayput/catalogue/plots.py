@@ -87,4 +87,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "this_suite": ("this suite", "この地震動群"),
     "scatter": ("Standard deviation\nof ln Sa [–]", "ln Saの\n標準偏差 [–]"),
 }
-"""Texts by their keys: English, Japanese."""

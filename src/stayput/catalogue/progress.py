@@ -18,4 +18,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "settings": ("settings", "条件"),
     "units": ("units", "件"),
 }
-"""Texts by their keys: English, Japanese."""

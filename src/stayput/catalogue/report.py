@@ -296,4 +296,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "overturning_of": ("Overturning of {piece}", "{piece}の転倒"),
     "motions_shown": ("Motions: {motions}", "地震動：{motions}"),
 }
-"""Texts by their keys: English, Japanese."""

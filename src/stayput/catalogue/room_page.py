@@ -291,4 +291,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "sill": ("Sill above the floor", "床から窓の下端まで"),
     "doubleIt": ("Another of the same", "同じものを追加"),
 }
-"""Texts by their keys: English, Japanese."""

@@ -132,4 +132,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "again_text": ("This is the scenario. With the same seed, stayput {version} gives the same numbers.",
                    "計算に使ったシナリオです。同じ乱数のシードなら、stayput {version}で同じ数値になります。"),
 }
-"""Texts by their keys: English, Japanese."""

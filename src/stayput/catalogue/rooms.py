@@ -168,4 +168,3 @@ TEXTS: dict[str, tuple[str, str]] = {
                     ("部屋の計算{runs}回：{motions} × 不確かさの標本{samples}組を、"
                      "現状と各変更について計算しました。")),
 }
-"""Texts by their keys: English, Japanese."""

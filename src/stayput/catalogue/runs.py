@@ -95,4 +95,3 @@ TEXTS: dict[str, tuple[str, str]] = {
                     "Noto Sans CJKなど、これらの文字を含むフォントをインストールしてください（Debianと"
                     "Ubuntuではfonts-noto-cjk）。")),
 }
-"""Texts by their keys: English, Japanese."""

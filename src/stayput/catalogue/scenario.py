@@ -73,4 +73,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "file_long_keys": ("its keys have {count} parts beyond two each; they must have at most {most}",
                        "キーの3個目以降の部分が合わせて{count}個あります。{most}個までにしてください"),
 }
-"""Texts by their keys: English, Japanese."""

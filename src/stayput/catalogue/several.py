@@ -67,4 +67,3 @@ TEXTS: dict[str, tuple[str, str]] = {
                         ("地震動のすべての成分を使い、家具どうしがぶつかるまでは1つずつ、"
                          "ぶつかる場合は一緒に計算します。家具の変形と、中身の動きは考慮しません。")),
 }
-"""Texts by their keys: English, Japanese."""

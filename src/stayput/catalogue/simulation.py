@@ -82,4 +82,3 @@ TEXTS: dict[str, tuple[str, str]] = {
                       "{path!r}が軸に含まれています。振幅だけで指定してください。"),
     "edge": ("Edge", "境界の種類"),
 }
-"""Texts by their keys: English, Japanese."""

@@ -67,4 +67,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "mesh_inside_out": ("The triangles of the mesh, or some of them, face inwards; all must face outwards.",
                         "メッシュの三角形の全部または一部が内側を向いています。すべて外側に向けてください。"),
 }
-"""Texts by their keys: English, Japanese."""

@@ -68,4 +68,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "plan": ("Seen from above: at first (dashed) and at the end", "平面図：最初（破線）と最後"),
     "floor_z": ("z, vertical", "z、上下"),
 }
-"""Texts by their keys: English, Japanese."""

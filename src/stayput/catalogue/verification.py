@@ -196,4 +196,3 @@ TEXTS: dict[str, tuple[str, str]] = {
     "low_not_below_high": ("Low is {low:g} and high is {high:g}; low must be below high.",
                            "下限が{low:g}、上限が{high:g}になっています。下限は上限より小さくしてください。"),
 }
-"""Texts by their keys: English, Japanese."""
