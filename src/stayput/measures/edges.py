@@ -94,17 +94,19 @@ class GelMats(UnderTheBase):
         """Return the area of one pad under 100 kg."""
         return {"area": 100.0 / (self.rating * self.count)}
 
+    def area_under(self, body: Body) -> float:
+        """Return the area of one pad [m²]: as stated, or what the label asks for under a piece."""
+        if self.area is not None:
+            return self.area
+        return min(1.0, max(1e-5, body.mass / (self.rating * self.count)))
+
     def fitted_to(self, body: Body) -> GelMats:
         """Return the mats that the label asks for under the piece."""
-        if self.area is not None:
-            return self
-        return replace(self, area=min(1.0, max(1e-5, body.mass / (self.rating * self.count))))
+        return replace(self, area=self.area_under(body))
 
     def to_buy(self, product: Phrase, body: Body) -> Phrase:
         """Return the mats with their size and the mass that their label is to say."""
-        area = self.fitted_to(body).area
-        assert area is not None
-        side = 100.0 * math.sqrt(area)
+        side = 100.0 * math.sqrt(self.area_under(body))
         return phrase("measures.mats_to_buy", product=product, side=side, mass=body.mass)
 
     def checks(self, room: Room) -> tuple[Phrase, ...]:
@@ -127,8 +129,7 @@ class GelMats(UnderTheBase):
         """
         if room.floor.surface in SOFT:
             raise InputError("measures.does_not_stick", "room.floor", measure=self.label)
-        area_of_one = self.fitted_to(body).area
-        assert area_of_one is not None
+        area_of_one = self.area_under(body)
         area = 0.5 * self.count * area_of_one
         stiffness = self.modulus * area / self.thickness
         pull, shear = (self.realism * area * stress for stress in (self.tension, self.shear))

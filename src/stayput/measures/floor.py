@@ -40,15 +40,19 @@ def _usual(surface: str, value: float, label: Phrase) -> Any:
 
 @dataclass(frozen=True, slots=True)
 class OtherFriction(UnderTheBase):
-    """Something under the whole base: its friction takes the place of the floor's."""
+    """Something under the whole base: its friction takes the place of the floor's.
+
+    Attributes
+    ----------
+    surface : str
+        What the base stands on then, where how its friction is drawn depends on it.
+    on_soft_floor : str
+        The id of a caution for a soft floor.
+    """
 
     cost_class: ClassVar[int] = 1
-
     surface: ClassVar[str] = ""
-    """What the base stands on then, where how its friction is drawn depends on it."""
-
     on_soft_floor: ClassVar[str] = ""
-    """The id of a caution for a soft floor."""
 
     static_friction: float
     kinetic_friction: float

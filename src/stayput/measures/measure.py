@@ -144,6 +144,30 @@ class Measure(ABC):
 
     Its fields are its parameters, in SI units; `stayput.model.parameters` tells what is known of each.
 
+    Attributes
+    ----------
+    kind : str
+        Its name in a scenario.
+    label : tuple of str
+        What it is called, in English and Japanese.
+    about : tuple of str
+        How it works and what makes it fail, in one sentence in English and Japanese.
+    acts_on : str
+        What it changes: "the body", "the room" and "the base" come before "the tie", whatever their order.
+    drilled : bool
+        Whether it takes holes in a wall.
+    needs : str
+        What the room must have for it: a wall behind the piece, a ceiling or neither.
+    base : str or None
+        What bears on the floor with it, as of a `Body`: "feet" at the corners; None: what does without it.
+    compared_by_default : Sets
+        With which other kinds it is compared where a scenario of one piece names no measures; (): alone.
+    tried_in_rooms : Sets
+        With which other kinds it is tried on the pieces of a room; (): alone.
+    cost_class : int
+        What it costs for one piece, 0 (nothing) to 3, in the bounds of `stayput.rooms.steps.COST_BOUNDS`: a
+        convention of this program, and no price. A class of your own that says nothing counts as the dearest.
+
     Raises
     ------
     InputError
@@ -159,37 +183,15 @@ class Measure(ABC):
     """
 
     kind: ClassVar[str]
-    """Its name in a scenario."""
-
     label: ClassVar[tuple[str, str]]
-    """What it is called, in English and Japanese."""
-
     about: ClassVar[tuple[str, str]]
-    """How it works and what makes it fail, in one sentence in English and Japanese."""
-
     acts_on: ClassVar[str] = "the tie"
-    """What it changes: "the body", "the room" and "the base" come before "the tie", whatever their order."""
-
     drilled: ClassVar[bool] = False
-    """Whether it takes holes in a wall."""
-
     needs: ClassVar[Literal["wall", "ceiling", ""]] = ""
-    """What the room must have for it: a wall behind the piece, a ceiling or neither."""
-
     base: ClassVar[str | None] = None
-    """What bears on the floor with it, as of a `Body`: "feet" at the corners; None: what does without it."""
-
     compared_by_default: ClassVar[Sets] = ()
-    """With which other kinds it is compared where a scenario of one piece names no measures; (): alone."""
-
     tried_in_rooms: ClassVar[Sets] = ()
-    """With which other kinds it is tried on the pieces of a room; (): alone."""
-
     cost_class: ClassVar[int] = 3
-    """What it costs for one piece, 0 (nothing) to 3, in the bounds of `stayput.rooms.steps.COST_BOUNDS`.
-
-    A convention of this program, and no price; a class of your own that says nothing counts as the dearest.
-    """
 
     def __init_subclass__(cls) -> None:
         if "label" not in cls.__dict__ and f"measures.{cls.__dict__.get('kind')}_about" in TEXTS:

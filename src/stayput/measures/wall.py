@@ -266,10 +266,15 @@ ANGLE = ("rise of the line towards the wall", "壁側への上がり角度")
 
 @dataclass(frozen=True, slots=True)
 class Tie(WallDevice):
-    """Something that only pulls, along the line between a point of the piece and one on the wall."""
+    """Something that only pulls, along the line between a point of the piece and one on the wall.
+
+    Attributes
+    ----------
+    itself : fixing.Link
+        What it is without what it is fixed to.
+    """
 
     itself: ClassVar[fixing.Link]
-    """What it is without what it is fixed to."""
 
     slack: float = parameter(0.01, "m", 0.0, 0.5, ("slack", "たるみ"), decides=True)
     setback: float = parameter(0.1, "m", 0.02, 5.0, ("distance from the back of the piece", "背面からの距離"))
