@@ -25,6 +25,7 @@ def runs():
     results = np.zeros((10, 1, 4), RESULT)
     results["outcome"] = np.where(fell, OVERTURNED_OUTCOME, RESTED)
     no, zero = np.zeros((10, 1), np.bool_), np.zeros((10, 1))
+    falls = np.array([1.0, 0.0, 1.0, 1.0])
     return Runs(
         overturned=fell.any(axis=2),
         missing=no,
@@ -36,7 +37,7 @@ def runs():
         used=np.zeros((10, 1, 0)),
         masses=1.0 + zero,
         results=results,
-        hits=np.stack([energy * 0.0, energy * 0.0 + 0.6, energy], axis=-1),
+        hits=np.stack([energy * 0.0, energy * 0.0 + 0.6, energy, energy * 0.0 + falls], axis=-1),
         blocked=np.zeros((10, 1, 0), np.bool_),
         shut_in=np.zeros((10, 1, 1), np.bool_),
     )
