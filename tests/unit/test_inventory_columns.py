@@ -105,7 +105,7 @@ UNCLEAR = {
     ),
     "only the width": ("品名,幅(mm),高さ(mm),重量(kg)\n棚,450,1800,60\n", "width=?,ignore=幅(mm)"),
     "like a count": ("品名,配置台数合計\n本棚,3\n", "count=配置台数合計"),
-    "counts by storey": ("品名,1F,2階\n本棚,3,4\n", "count=1F,count=2階"),
+    "counts by storey": ("品名,1F,2階\n本棚,3,4\n", "count=1F,?=2階"),
     "a count with a note": ("品名,数量（予備）\n本棚,3\n", "count=数量（予備）"),
     "a total": ("品名,台数,金額\n本棚,3,135000\n", "ignore=金額"),
     "sizes in one cell": ("品名,サイズ\n本棚,900x300x1800\n", "?=サイズ"),

@@ -6,10 +6,11 @@ import pytest
 from inventories import CITY, city, planned, rows_of_results, table
 
 import stayput as sp
+from stayput.files import named_columns
 from stayput.inventory import assess
 from stayput.inventory.columns import read_columns
 from stayput.inventory.header import Header
-from stayput.inventory.report import notes_told
+from stayput.inventory.report import empty_told, further, notes_told
 
 BARE = {
     "one in cm": ("id,depth (cm),height,mass", None, "height=height[?]"),
@@ -108,7 +109,9 @@ def test_what_needs_a_mass_is_not_assessed_without_one(tmp_path):
 FIXED = {
     "": 0, "no": 0, "Unfixed": 0, "未": 0, "なし": 0, "×": 0,
     "L字金具": 1, "ｌ型金具": 1, "Screwed L-brackets": 1, "l_bracket": 1, "brackets": 1, "mine": 1,
-    "yes": None, "済": None, "固定済み": None, "true": None, "釘": None, "no+L字金具": None,
+    "yes": 1, "TRUE": 1, "true": 1, "1": 1, "bolted": 1, "fixed": 1, "Anchored": 1, "有": 1, "あり": 1,
+    "○": 1, "済": 1, "固定済": 1, "固定済み": 1, "１": 1, "FALSE": 0, "0": 0, "無": 0, "not anchored": 0,
+    "unknown": 0, "不明": 0, "釘": None, "no+L字金具": None,
 }  # fmt: skip
 
 
@@ -121,15 +124,126 @@ def test_a_fixed_piece_is_not_assessed_as_free(tmp_path):
         (free, fixed)[held] for held in FIXED.values() if held is not None
     ]
     assert {row["fixed"] for row in rows if row["units"][0] == fixed} == {"l_bracket"}
-    assert "given twice" in rows[-1]["not_possible"][0]["reason"]
+    assert "given twice" in rows[[*FIXED].index("mine")]["not_possible"][0]["reason"]
     assert len(rejects) == list(FIXED.values()).count(None)
     for row, word in zip(rejects, (word for word in FIXED if FIXED[word] is None), strict=True):
         assert f"fixed is '{word}'" in row["reason"]
-        assert "it must be one of 'anti_slip_sheet'" in row["reason"]
-        assert "'なし', '滑り止めシート'" in row["reason_ja"]
+        assert "it must be one of 'yes', 'no', 'Anti-slip sheet'" in row["reason"]
+        assert "_" not in row["reason"]
+        assert "'あり', 'なし', '滑り止めシート'" in row["reason_ja"]
     english, japanese = notes_told(facts)[0]
-    assert "Fixed already by l_bracket: 6 rows (8, 9, 10, 11, 12, …)" in english
-    assert "L型金具（ねじ留め）ですでに固定してある家具：6行（8、9、10、11、12、…行目）" in japanese
+    assert "by L-brackets): 20 rows (8, 9, 10, 11, 12, …)" in english
+    assert "L型金具とします）：20行（8、9、10、11、12、…行目）" in japanese
+    for told, blank in zip(empty_told(facts), ("固定状況 in 3 rows", "固定状況（3行）"), strict=True):
+        assert blank in told
+
+
+@pytest.mark.parametrize(
+    ("cell", "kind"), [(True, "l_bracket"), (False, None), (1, "l_bracket"), (0.0, None)]
+)
+def test_a_workbook_s_own_true_says_that_a_piece_is_fixed(tmp_path, cell, kind):
+    from openpyxl import Workbook
+
+    book = Workbook()
+    book.active.append(["preset", "anchored"])
+    book.active.append(["bookcase", cell])
+    book.save(tmp_path / "inventory.xlsx")
+    (row,), *_ = planned(tmp_path, tmp_path / "inventory.xlsx")
+    assert row["fixed"] == kind
+
+
+def test_rows_are_told_beside_the_reason_that_is_theirs(tmp_path):
+    brackets = (
+        FREE.replace("left_wall = { gap = 0.05 }\n", "") + '[[measures]]\nname = "b"\ntype = "l_bracket"\n'
+    )
+    rows = ["a,60,.3,1.8,", "b,,.3,1.8,.1", "c,70,.3,1.8,"]
+    file = table(tmp_path, rows, "id,mass,width,height,gap")
+    *_, facts, _ = planned(tmp_path, file, brackets)
+    assert [(each["about"], each["rows"], each["same"]) for each in facts["measures not possible"]] == [
+        ("b", 2, True),
+        ("b", 1, True),
+    ]
+    (no_wall, _), (no_mass, _) = notes_told(facts)[1:]
+    assert no_wall.endswith("2 rows (2, 4).")
+    assert "mass" in no_mass
+    assert no_mass.endswith("1 row (3).")
+
+
+MONEY = {
+    "value": ("", "in the currency of the table", "通貨は表のとおり"),
+    "value [JPY]": ("JPY", "60,000 JPY", "60,000 JPY"),
+    "価格（万円）": ("JPY", " JPY", " JPY"),
+    "value,costs [EUR]": ("EUR", "60,000 EUR", "60,000 EUR"),
+}
+
+
+@pytest.mark.parametrize("columns", MONEY)
+def test_losses_are_told_with_their_currency(tmp_path, columns):
+    currency, *said = MONEY[columns]
+    rows = ["a,bookcase,60000" + ",1;1" * columns.count(",")]
+    done = assess(
+        table(tmp_path, rows, f"id,preset,{columns}"), city(tmp_path), tmp_path / "out", progress=False
+    )
+    lines = (tmp_path / "out" / "summary.csv").read_text(encoding="utf-8-sig").splitlines()
+    assert (lines[0].rsplit(",", 1)[1], lines[1].rsplit(",", 1)[1]) == ("currency", currency)
+    total = done.summary.events["city"]
+    total.loss = total.loss_best = 60_000.0
+    for told, words in zip(further(total, done.facts["currency"]), said, strict=True):
+        assert words.removeprefix("60,000") in told
+        assert "their currency" not in told
+
+
+def test_values_and_costs_are_in_one_currency():
+    for header in ("id,preset,value [JPY],costs [EUR]", "id,preset,価格（千円）,costs [usd]"):
+        with pytest.raises(sp.InputError) as refused:
+            Header(header.split(","))
+        assert "must be in one currency" in refused.value.told("en")
+        assert "通貨が異なります" in refused.value.told("ja")
+    Header(["id", "preset", "価格（千円）", "costs [円]"])
+
+
+HINTS = [
+    "Item,width [m],length [m],height [m]",
+    "Item,Width [mm],W,H",
+    "品名,幅,間口,高さ",
+    "id,width,depth,奥行,height",
+    "id,width,depth [m],height (cm)",
+    "id,preset,stock,on hand",
+    "name,u_height,rack units,depth",
+    "品名,総重量,重量,質量",
+    "name,サイズ,寸法,縦",
+    "Gerät,Länge,w,l,pcs. a,copies",
+    "id,preset,count,金額,合計金額",
+    "id,preset,height,h,高さ,mass (lb)",
+    "id,name,floor,count,total value",
+]
+UNITS = {"width": "m", "height": "m", "gap": "m", "mass": "kg", "load": "kg", "value": "円", "costs": "円"}
+
+
+def filled(hint):
+    """A hint with its ? filled in: units, the depth by a column that it leaves out, and other columns."""
+    pairs, parts = named_columns(hint, ""), []
+    depth = next((column for name, column in pairs if name == "ignore"), None)
+    for name, column in pairs:
+        known = ("name" if column == "Gerät" else "ignore") if name == "?" else name
+        parts.append(f"{known}={depth if column == '?' else column.replace('?', UNITS.get(known, ''))}")
+    return ",".join(parts)
+
+
+@pytest.mark.parametrize("text", HINTS)
+@pytest.mark.parametrize("storeys", [False, True])
+def test_a_hint_is_accepted_when_it_is_filled_in(text, storeys):
+    names, hint = text.split(","), None
+    cells = [["3F" if storeys else "7"] * len(names)]
+    for _ in range(3):
+        try:
+            Header(names, cells, read_columns(hint))
+        except sp.InputError as error:
+            hint = filled(error.values["proposal"])
+        else:
+            assert hint
+            return
+    raise AssertionError(hint)
 
 
 def test_measures_are_compared_beside_what_fixes_a_piece_already(tmp_path):

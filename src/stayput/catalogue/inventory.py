@@ -41,7 +41,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     # cells
     "usable": ("a plain text or number", "文字列または数値"),
     "cell_formula": ("a formula", "数式"),
-    "cell_bool": ("true or false", "TRUEまたはFALSE"),
     "cell_date": ("a date", "日付"),
     "cell_other": ("neither text nor number", "文字列でも数値でもない値"),
     "cell_error": ("an error of the spreadsheet ({error})", "表計算ソフトのエラー値（{error}）"),

@@ -46,10 +46,10 @@ TEXTS: dict[str, tuple[str, str]] = {
                              ("{pieces}は、計算数が足りず、"
                               "対策の要否や効果を判定できません（転倒や大きな移動が{safe}%未満であると示す"
                               "には、少なくとも{least}本の地震動が必要です）。")),
-    "expected_loss": (("Expected loss {loss}, with the best measures {best} (where values are given, in "
-                       "their currency)."),
+    "expected_loss": ("Expected loss {loss}, with the best measures {best} (of what has a value{unstated}).",
                       ("損失の見込みは{loss}、最も有効な対策をとると{best}です（損失額の入力があるものだけ"
-                       "の合計）。")),
+                       "の合計{unstated}）。")),
+    "currency_unstated": (", in the currency of the table", "、通貨は表のとおり"),
     "inside_out": (("Of what is inside {pieces}, {share} is expected to come out; with the best measures "
                     "{best}."),
                    "{pieces}の収納物のうち{share}が飛び出す見込みです。最も有効な対策をとると{best}です。"),
@@ -61,8 +61,10 @@ TEXTS: dict[str, tuple[str, str]] = {
                 "奥行方向（前後）の揺れだけを評価しています。")),
     "without_mass": ("Without a mass: {rows}. It does not matter to how a free piece moves.",
                      "重量のない家具：{rows}。固定していない家具の動きは重量によりません。"),
-    "fixed": ("Fixed already by {name}: {rows}. “Without a measure” means without a further one.",
-              "{name}ですでに固定してある家具：{rows}。「対策なし」は、ほかに追加しないという意味です。"),
+    "fixed": (("Fixed already by {name} (where a table says only that it is fixed, by L-brackets): {rows}. "
+               "“Without a measure” means without a further one."),
+              ("{name}ですでに固定してある家具（固定とだけある場合はL型金具とします）：{rows}。"
+               "「対策なし」は、ほかに追加しないという意味です。")),
     # Maps
     "map_without": ("Share that overturns, in per cent, without a measure", "転倒する割合（%）：対策なし"),
     "map_best": ("The same with the best measure on each piece that one clearly helps",
@@ -115,9 +117,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     "rows": ("Rows", "行"),
     "empty_column": ("{column} in {rows}", "{column}（{rows}）"),
     "empty_cells": (("Empty cells: {columns}. There a piece is called by its name and its row (the "
-                     "headings are row 1), has the preset's size and mass, and counts once."),
+                     "headings are row 1), has the preset's size and mass, counts once, and is not fixed."),
                     ("空のセル：{columns}。番号の代わりに品名と行番号（見出しが1行目）、"
-                     "寸法と質量はプリセットの値、数は1とします。")),
+                     "寸法と質量はプリセットの値、数は1とし、固定していないものとします。")),
     "reason": ("Reason", "理由"),
     "none": ("None.", "ありません。"),
     # What was done

@@ -31,7 +31,9 @@ TEXTS: dict[str, tuple[str, str]] = {
                  "checked and given{fill} (width is the depth, from front to back): {doubts}."),
                 ('意味のはっきりしない列があります。おそらく --columns "{proposal}" です（widthは奥行）。'
                  "確かめて{fill}指定してください：{doubts}。")),
-    "fill": (", with what belongs in the place of each ?", "?を埋めて"),
+    "fill": (", with the name of a column, a unit or ignore for each ?", "?を列名・単位・ignoreで埋めて"),
+    "currencies": (("The values and the costs are in {currencies}; both must be in one currency."),
+                   "損失額と費用の通貨が異なります（{currencies}）。同じ通貨にそろえてください。"),
     "more_doubts": ("and {count} more", "ほか{count}件"),
     "doubt_unit": ("{header} has no unit that is known for it", "{header}の単位が分かりません"),
     "doubt_note": ("{header} may be something else, because of {note!r}",

@@ -212,7 +212,7 @@ def assess(
                 write_results(folder / PIECES, space, work, about, advance)
             write_rejects(folder, space, store)
         summary = summarise(folder / PIECES)
-        summary.write(folder, space)
+        summary.write(folder, space, facts["currency"])
         for language, name in REPORTS.items():
             with space.durable(folder / name) as file:
                 file.write(report_html(summary, facts, manifest, language).encode())

@@ -73,6 +73,11 @@ def is_empty(cell: Cell) -> bool:
     return cell is None or (isinstance(cell, str) and not cell.strip())
 
 
+def fixing_known(cell: Cell) -> Cell:
+    """Return a cell of what fixes a piece; nothing where it says that this is not known."""
+    return None if plain_word(str(cell)) in ("unknown", "not known", "n/a", "?", "不明") else cell
+
+
 def plain(name: str, cell: Cell) -> str | float | int | None:
     """Return a cell as text without blanks around it, a number, or None where it is empty.
 

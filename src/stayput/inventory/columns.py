@@ -304,7 +304,8 @@ class ColumnMapping:
             if place in {other for other, _ in places.values()}:
                 raise InputError("common.twice", "columns", name=quoted(header))
             places[name] = place, unit
-        return places, {_find(IGNORE, header, names)[0] for header in self.ignored}
+        ignored = {_find(IGNORE, header, names)[0] for header in self.ignored}
+        return places, ignored - {place for place, _ in places.values()}
 
 
 def _find(name: str, header: str, names: Sequence[str]) -> tuple[int, NumberUnit | None]:

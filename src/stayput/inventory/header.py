@@ -10,6 +10,7 @@ from functools import partial
 
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, unknown
+from stayput.files import named_columns
 from stayput.inventory import cells as reading
 from stayput.inventory import columns as column
 from stayput.vocabulary import WORDS, meant
@@ -215,6 +216,11 @@ class Header:
         for kind in ("m", "kg", "currency"):
             names = [name for name in self.places if column.COLUMNS[name].unit == kind]
             stated = [self.units[name] for name in names] + (along if kind == "m" else [])
+            currencies = {unit.currency for unit in stated if unit is not None}
+            if len(currencies) > 1:
+                raise InputError(
+                    "inventory_tables.currencies", "value", currencies=", ".join(sorted(currencies))
+                )
             if asked.intersection(names) or not all(unit is None or _is_own(unit) for unit in stated):
                 for name in names:
                     if self.units[name] is None and name not in asked:
@@ -254,11 +260,20 @@ class Header:
             self._doubt("total", value)
 
     def _proposal(self, others: Sequence[str] = ()) -> str:
-        """Return the mapping to give: what is given already, but for what is doubted, and what settles it."""
-        settled = ",".join(dict.fromkeys((*(part for _, part in self.doubts), *others)))
-        kept = [f"{name}={header}" for name, header in self.mapping.pairs if f",{name}=" not in f",{settled}"]
-        ignored = [f"{column.IGNORE}={header}" for header in self.mapping.ignored]
-        return ",".join([*kept, *ignored, settled])
+        """Return the mapping to give: what is given already, but for what is doubted, and what settles it.
+
+        Each name stands once, and each column; of several columns for one name all but the first get a "?".
+        """
+        doubted = ",".join((*(part for _, part in self.doubts), *others))
+        settled = dict[str, tuple[str, str]]()
+        for name, header in named_columns(doubted, "inventory_tables.mapping"):
+            bare = header if header in self.names else header.removesuffix("[?]").removesuffix("[U]")
+            again = name in {other for other, _ in settled.values()} - {column.IGNORE, "?"}
+            if name == column.IGNORE or not (bare in settled or (again and bare == "?")):
+                settled[bare] = ("?", bare) if again else (name, header)
+        kept = [pair for pair in self.mapping.pairs if pair[0] not in dict(settled.values())]
+        kept += [(column.IGNORE, header) for header in self.mapping.ignored]
+        return ",".join(f"{name}={header}" for name, header in (*kept, *settled.values()))
 
     def _refuse_what_is_unclear(self) -> None:
         """Refuse a header of which something is doubted, or nothing says what the pieces are."""
@@ -289,8 +304,8 @@ class Header:
 
     def _readers(self, name: str) -> list[reading.CellReader]:
         """Return what makes the column's own text or number of its cells, one after another."""
-        if name == "storey":
-            return [reading.storey_meant]
+        if own := {"storey": reading.storey_meant, "fixed": reading.fixing_known}.get(name):
+            return [own]
         kind, unit = column.COLUMNS[name].unit, self.units[name]
         readers: list[reading.CellReader] = []
         if name in self.in_own_units:

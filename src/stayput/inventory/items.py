@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from cachetools import LRUCache
 
-from stayput.catalogue import Phrase, phrase
+from stayput.catalogue import phrase
 from stayput.contents.contents import Contents, emptied
 from stayput.errors import InputError, not_allowed, too_many, unknown, visible, whole_within, within
 from stayput.inventory.cells import (
@@ -61,16 +61,22 @@ OF_THE_CONTENTS = ("contents", "doors", "drawers", "lip", "load")
 NO_MEASURE = NOTHING = "none"
 """What a row says of a piece without a measure, or with nothing inside where the scenario has contents."""
 
-FIXINGS: dict[str, str] = {
+_WORDS_OF_FIXINGS = {
+    NO_MEASURE: "none|no|n|0|false|free|loose|unfixed|unanchored|unsecured|not fixed|not anchored|not secured"
+    "|なし|無し|無|未|未固定|未実施|未対策|固定なし|×",
+    "l_bracket": "yes|y|1|true|fixed|anchored|secured|bolted|screwed|bracket|brackets|l-bracket|l-brackets"
+    "|有|有り|あり|固定あり|○|◯|〇|✓|✔|済|済み|固定|固定済|固定済み|実施済|対策済|l字金具|l字型金具|l型金具",
+    "belt": "strap|straps|strapped|ベルト",
+    "tension_pole": "突っ張り棒|突張り棒|つっぱり棒|ポール",
+    "gel_mats": "粘着マット|耐震マット|ジェルマット",
+    "wedge_stopper": "ストッパー|転倒防止板",
+    "chain": "chained|チェーン",
+}
+"""What tables write: of a piece that is fixed, and nobody says how, as of one with L-brackets."""
+
+FIXINGS = {
     **{plain_word(word): kind for kind, measure in MEASURES.items() for word in (kind, *measure.label)},
-    **dict.fromkeys((NO_MEASURE, "no", "unfixed", "not fixed", "unanchored", "free", "false"), NO_MEASURE),
-    **dict.fromkeys(("なし", "無し", "無", "未", "未固定", "未実施", "未対策", "×"), NO_MEASURE),
-    **dict.fromkeys(("bracket", "brackets", "l-bracket", "l字金具", "l字型金具", "l型金具"), "l_bracket"),
-    **dict.fromkeys(("strap", "straps", "ベルト"), "belt"),
-    **dict.fromkeys(("突っ張り棒", "突張り棒", "つっぱり棒", "ポール"), "tension_pole"),
-    **dict.fromkeys(("粘着マット", "耐震マット", "ジェルマット"), "gel_mats"),
-    **dict.fromkeys(("ストッパー", "転倒防止板"), "wedge_stopper"),
-    "チェーン": "chain",
+    **{word: kind for kind, words in _WORDS_OF_FIXINGS.items() for word in words.split("|")},
 }
 """What fixes a piece, by what tables call it, each as `plain_word` gives it."""
 
@@ -198,10 +204,7 @@ class RowReader:
                 "fixed": fixed,
                 "options": [names[n] for n in possible],
                 "costs": [costs[n - 1] for n in possible[1:]] if costs and possible[1:] else None,
-                "not_possible": [
-                    {"name": name, "reason": english, "reason_ja": japanese}
-                    for name, (english, japanese) in not_possible.items()
-                ],
+                "not_possible": [*not_possible.values()],
             }
             place = station, level, None if building is None else label
             ground = self.grounds.result(place, partial(ground_spec, station, level, building))
@@ -214,7 +217,7 @@ class RowReader:
 
     def _room(
         self, cells: Mapping[str, Cell], body: Body, station: int, weighed: bool
-    ) -> tuple[str, dict[str, str], dict[str, Phrase], str | None]:
+    ) -> tuple[str, dict[str, str], dict[str, dict[str, str]], str | None]:
         """Return the piece's spec in its room, those of the options, reasons against some, and its fixing.
 
         Every option is added to what fixes the piece already. Without a mass only those are possible whose
@@ -222,11 +225,11 @@ class RowReader:
         """
         scenario = self.scenarios.all[station].scenario
 
-        def make() -> tuple[str, dict[str, str], dict[str, Phrase], str | None]:
+        def make() -> tuple[str, dict[str, str], dict[str, dict[str, str]], str | None]:
             room = room_of(cells, scenario)
             refuse_bad_start(body, room, State())
             options, fixed = options_of(cells, scenario), fixing_of(cells, scenario)
-            not_possible: dict[str, Phrase] = {}
+            not_possible: dict[str, dict[str, str]] = {}
             for name, measures in options.items():
                 refuse_conflicts(measures)
                 try:
@@ -237,7 +240,8 @@ class RowReader:
                 except InputError as error:  # no wall behind, no ceiling, an anchor above the ceiling
                     if name == NO_MEASURE:
                         raise error.about("fixed" if weighed else "mass") from None
-                    not_possible[name] = error.told("en"), error.told("ja")
+                    reasons = {"reason": error.told("en"), "reason_ja": error.told("ja")}
+                    not_possible[name] = {"name": name, "code": error.code, **reasons}
             contents = contents_of(cells, body, scenario)
             if contents is not None and not weighed:
                 raise InputError("inventory.without_mass", "mass")
@@ -427,9 +431,10 @@ def fixing_of(cells: Mapping[str, Cell], scenario: Scenario) -> tuple[Measure, .
     for part in map(str.strip, re.split("[+＋、;]", text)):
         kind = part if part in named else FIXINGS.get(plain_word(part))
         if kind is None or (kind == NO_MEASURE and part != text):
-            labels = ", ".join(repr(measure.label[1]) for measure in MEASURES.values())
-            listed = ", ".join(map(repr, known)), f"'なし', {labels}"
-            raise unknown("fixed", text, known, "fixed", listed=listed)
+            labels = (measure.label for measure in MEASURES.values())
+            words = zip(("yes", "あり"), ("no", "なし"), *labels, strict=True)
+            english, japanese = (", ".join(map(repr, each)) for each in words)
+            raise unknown("fixed", text, FIXINGS, "fixed", listed=(english, japanese))
         measures += (known | named)[kind]
     refuse_conflicts(measures)
     return measures

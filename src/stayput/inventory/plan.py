@@ -36,7 +36,10 @@ ROWS_LOOKED_AT = 200
 FIRST_ALIKE = 5
 """Rows that are told of those that are refused for the same."""
 
-MAY_BE_EMPTY = ("id", *SIZES, "count")
+MONEY = ("value", "costs")
+"""Columns in one currency, which either may state."""
+
+MAY_BE_EMPTY = ("id", *SIZES, "count", "fixed")
 """Columns of which it is told how many cells are empty in rows that are assessed."""
 
 COUNTED = (
@@ -128,7 +131,8 @@ def make_plan(
             try:
                 if isinstance(cells, InputError):
                     raise cells
-                exposures = reader.exposures(number, header.cells(cells))
+                known = header.cells(cells)
+                exposures = reader.exposures(number, known)
                 piece, depth = exposures[0].row, exposures[0].depth
                 before = store.row_of(piece["id"], number)
                 if before != number:
@@ -147,7 +151,7 @@ def make_plan(
             not_put = chain.from_iterable(each.row["not_possible"] for each in exposures)
             for named in {each["name"]: each for each in not_put}.values():
                 cause = (number, piece["id"], piece["name"], named["reason"], named["reason_ja"])
-                impossible.add(cause, named["name"])
+                impossible.add(cause, named["name"], named["code"])
             width = header.width_of(cells)
             counts["pieces"] += 1
             counts["with coordinates"] += piece["lat"] is not None
@@ -155,8 +159,7 @@ def make_plan(
             counts["without mass"] += not piece["weighed"]
             if piece["fixed"] is not None:
                 fixed.add((number, piece["id"], piece["name"], None, None), piece["fixed"])
-            places = ((name, header.places.get(name)) for name in MAY_BE_EMPTY)
-            left_empty.update(n for n, place in places if place is not None and is_empty(cells[place]))
+            left_empty.update(name for name in MAY_BE_EMPTY if name in known and is_empty(known[name]))
             if counts["pieces"] % ROWS_PER_PART == 0:
                 store.add_part(buffered)
                 buffered.clear()
@@ -173,7 +176,7 @@ def make_plan(
                 "rejects alike": rejects.told(),
                 "measures not possible": impossible.told(),
                 "fixed": fixed.told(),
-                "currency": unit.currency if (unit := header.units.get("value")) else "",
+                "currency": next((unit.currency for unit in map(header.units.get, MONEY) if unit), ""),
                 "units": store.next_unit,
                 "read as": table.read_as,
                 "columns not used": header.unused,

@@ -194,7 +194,8 @@ def further(total: Total, currency: str) -> Phrase:
     sentences = [findings_told(total)]
     if total.loss is not None:
         loss, best = (amount(value, currency) for value in (total.loss, total.loss_best))
-        sentences.append(tell("expected_loss", loss=loss, best=best))
+        unstated = "" if currency else tell("currency_unstated")
+        sentences.append(tell("expected_loss", loss=loss, best=best, unstated=unstated))
     sentences.append(inside_told(total))
     if total.unknown:
         sentences.append(tell("nothing_known", pieces=pieces_counted(total.unknown)))

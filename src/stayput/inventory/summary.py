@@ -35,8 +35,8 @@ REJECTS = "rejects.parquet"
 FORMATS = ("csv", "geojson")
 """Formats beside Parquet, by the endings of their files."""
 
-_KINDS = {"event": "string", "building": "string", "storey": "int32", "rows": "int64", "pieces": "int64"}
-"""Types of the first columns of the summary; those that count pieces are whole too, all others are not."""
+_KINDS = {"event": "string", "building": "string", "storey": "int32", "currency": "string"}
+"""Types of columns of the summary; those that count rows or pieces are whole too, all others are not."""
 
 READ = (
     *("row", "id", "name", "event", "building", "storey", "count", "fixed"),
@@ -146,15 +146,18 @@ class Summary:
     events: dict[str, Total] = field(default_factory=dict[str, Total])
     worst: list[dict[str, Any]] = field(default_factory=list[dict[str, Any]])
 
-    def write(self, folder: Path, space: Workspace) -> None:
-        """Write the totals by event, building and storey as Parquet and CSV."""
+    def write(self, folder: Path, space: Workspace, currency: str) -> None:
+        """Write the totals by event, building and storey as Parquet and CSV, losses in a currency or ""."""
+        money = {"currency": currency or None}
         rows: list[dict[str, Any]] = [
-            {"event": event, "building": building or None, "storey": storey or None, **total.numbers}
+            {"event": event, "building": building or None, "storey": storey or None, **total.numbers, **money}
             for (event, building, storey), total in sorted(self.places.items())
         ]
         pa = arrow()
-        named = ["event", "building", "storey", *Total().numbers]
-        kinds = {name: "int64" if name.startswith("pieces_") else "float64" for name in named} | _KINDS
+        named = ["event", "building", "storey", *Total().numbers, *money]
+        kinds = {
+            name: "int64" if name.startswith(("rows", "pieces")) else "float64" for name in named
+        } | _KINDS
         schema = pa.schema([(name, getattr(pa, kind)()) for name, kind in kinds.items()])
         with space.durable(folder / "summary.parquet") as file:
             arrow("parquet").write_table(pa.Table.from_pylist(rows, schema=schema), file)

@@ -239,7 +239,7 @@ def _cell(value: Any) -> Cell:
         case None | "":
             return None
         case bool():
-            return _unusable("bool")
+            return str(value).lower()
         case str() | int() | float():
             return value
         case Decimal():
