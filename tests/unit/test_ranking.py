@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from functools import partial
 from types import SimpleNamespace
@@ -9,11 +10,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
-from verdict_cases import made, option, shares
+from verdict_cases import SCENARIO, made, option, shares
 
 from stayput.fragility.paired import difference
 from stayput.fragility.probabilities import probability
 from stayput.measures import Belt, LBracket, TensionPole
+from stayput.montecarlo.counting import Quantiles
 from stayput.verification.contents import ContentsVerdict
 from stayput.verification.ranking import in_order, ranks_of
 from stayput.verification.words import headline, reason
@@ -106,3 +108,49 @@ def test_what_does_not_help_is_not_sold_and_what_is_worse_says_so(language: str)
     assert worse.option.label()[0].lower() not in headline(alike, language).lower()
     told = {"en": "slides too far more often than without a measure", "ja": "移動する割合は対策なしより"}
     assert told[language] in reason(worse, alike, language)
+
+
+@pytest.mark.parametrize("listed", [False, True])
+@pytest.mark.parametrize(
+    ("language", "told"), [("en", "slides by over 10 cm in"), ("ja", "10 cmを超えて移動する割合は")]
+)
+@pytest.mark.parametrize("falls", [0.0, 0.3])
+def test_a_headline_says_what_helps_against_sliding_alone(
+    falls: float, language: str, told: str, listed: bool
+) -> None:
+    """Whether all stay upright or nothing makes falls rarer: with both shares."""
+    fallen, (much, little) = shares(falls), (probability(shares(share, 5)) for share in (0.8, 0.1))
+    furniture = {"preset": "bookcase"}
+    verdict = made({**SCENARIO, "furniture": [furniture] if listed else furniture})
+    best, bare, _ = verdict.options
+    events = {"overturned": probability(fallen)}
+    best = replace(
+        best,
+        change=difference(fallen, fallen),
+        slid=difference(shares(0.1, 5), shares(0.8, 5)),
+        probabilities={**best.probabilities, **events, "slid": little},
+    )
+    bare = replace(bare, probabilities={**bare.probabilities, **events, "slid": much})
+    assert best.helps
+    sentence = headline(replace(verdict, options=(best, bare)), language)
+    assert told in sentence
+    for chance in (much, little):
+        assert chance.share[language == "ja"] in sentence
+    felt = replace(best, slid=best.change)
+    assert told not in headline(replace(verdict, options=(felt, bare)), language)
+
+
+@pytest.mark.parametrize("metres", [0.0101, 0.0949, 0.1033, 0.9912, 1.91, 2.0])
+def test_what_is_told_as_at_most_is_rounded_up(metres: float) -> None:
+    """A 90 % quantile of 10.33 cm is not "10 cm at most" where 20 % slide by over 10 cm."""
+    for listed in (False, True):
+        furniture = {"preset": "bookcase"}
+        verdict = made({**SCENARIO, "furniture": [furniture] if listed else furniture})
+        option = replace(verdict.without, slide=Quantiles(0.01, metres))
+        for language, pattern in (
+            ("en", r"by (?:over )?([\d.]+) (c?m)"),
+            ("ja", r"移動が([\d.]+) (c?m)以内"),
+        ):
+            (told,) = re.findall(pattern, reason(option, verdict, language))
+            value = float(told[0]) * {"m": 1.0, "cm": 0.01}[told[1]]
+            assert metres - 1e-9 <= value <= metres * 1.15

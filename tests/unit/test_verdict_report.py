@@ -238,7 +238,7 @@ def test_heights_that_read_alike_are_told_once():
         verdict = made(scenario={**SCENARIO, "contents": {"kind": "books"}})
         option = replace(verdict.best, contents=contents)
         said[height] = reason(option, verdict, "en"), reason(option, verdict, "ja")
-    assert "half of them leave from 1.0 m or higher (at most 1.4 m), 90 %" in said[1.0][0]
+    assert "half of them leave from 1.0 m or higher (at most 1.5 m), 90 %" in said[1.0][0]
     assert "half of them or more leave from 1.4 m, none from higher, 90 % of them" in said[1.4][0]
     assert "その半数以上は最も高い1.4 mから、" in said[1.4][1]
 

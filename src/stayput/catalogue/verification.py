@@ -59,6 +59,8 @@ TEXTS: dict[str, tuple[str, str]] = {
                    "{strength}の揺れで、{bare}{what}{falls}。{more}"),
     "none_helps": (", and no measure that was compared makes that clearly rarer",
                    "比較した対策では明らかには減りません。"),
+    "slides_less": ("With {option} {it} slides by over {limit} in {held} of the cases instead of {bare}.",
+                    "{option}、{it}{limit}を超えて移動する割合は{bare}から{held}に減ります。"),
     # why an option stands where it does: clauses
     "no_run": ("No run could be followed to its end.", "最後まで進んだ計算がありません。"),
     "it": ("it", ""),

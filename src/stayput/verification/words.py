@@ -98,6 +98,16 @@ def length(metres: float) -> str:
     return f"{100.0 * metres:.0f} cm" if metres >= 0.095 else f"{100.0 * metres:.1f} cm"
 
 
+def rounded_up(value: float, step: float) -> float:
+    """Return a value that is told as "at most", in whole steps."""
+    return step * math.ceil(round(value / step, 6))  # without the last digits of a quantile
+
+
+def length_at_most(metres: float) -> str:
+    """Return a length that is not exceeded, with the digits of `length`."""
+    return length(rounded_up(metres, 0.1 if metres >= 0.995 else 0.01 if metres >= 0.095 else 0.001))
+
+
 def slides_off(option: OptionVerdict, verdict: Verdict) -> bool:
     """Return whether a tenth of the runs slide beyond `FAR` where the room is open to a side."""
     room = verdict.scenario.room.room()
@@ -107,6 +117,8 @@ def slides_off(option: OptionVerdict, verdict: Verdict) -> bool:
 def headline(verdict: Verdict, language: str) -> str:
     """Return the verdict in one sentence."""
     sentences = [say(_headline(verdict), language)]
+    if verdict.best.helps and not _helps(verdict.best) and SLID in verdict.best.better:
+        sentences.append(say(_slides_less(verdict), language))
     if verdict.best.installed is not None:
         share = _as_usual(verdict.best).share
         measure = _title_inside(verdict.best.option, verdict)
@@ -196,6 +208,15 @@ def _headline(verdict: Verdict) -> Phrase:
     return phrase("verification.bare_falls", **falls, more=more)
 
 
+def _slides_less(verdict: Verdict) -> Phrase:
+    """Return how often something slides too far with the best option, and how often without anything."""
+    best, where = verdict.best, _where(verdict)
+    bare, held = (option.probabilities[SLID].share for option in (verdict.without, best))
+    option = phrase(f"{where}.if_there", option=_title_inside(best.option, verdict))
+    limit, it = length(verdict.slide_limit), phrase(f"{where}.it")
+    return phrase("verification.slides_less", option=option, it=it, limit=limit, bare=bare, held=held)
+
+
 def _where(verdict: Verdict) -> str:
     """Return the module of the catalogue that tells what overturns: this piece, or any of several."""
     return "verification" if verdict.scenario.alone else "several"
@@ -246,9 +267,13 @@ def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
         parts.append(contents_out(option, verdict))
         if (leaving := option.contents.leaving) is not None:
             middle, highest = length(leaving.height), length(leaving.highest)
-            key = "verification.from_the_top" if middle == highest else "verification.from_shelves"
-            shelves = phrase(key, height=middle, highest=highest)
-            parts.append(phrase("verification.contents_leave", from_where=shelves, fast=leaving.fast))
+            if middle == highest:
+                shelves = phrase("verification.from_the_top", highest=highest)
+            else:
+                most = length_at_most(leaving.highest)
+                shelves = phrase("verification.from_shelves", height=middle, highest=most)
+            fast = rounded_up(leaving.fast, 0.01)
+            parts.append(phrase("verification.contents_leave", from_where=shelves, fast=fast))
     if shares[DEVICE_FAILED] >= OFTEN:
         parts.append(phrase("verification.device_fails", share=option.probabilities[DEVICE_FAILED].share))
         parts += _gives_way(option)
@@ -258,7 +283,7 @@ def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
     if scenario.alone and slides_off(option, verdict):
         parts.append(phrase("verification.slides_far", far=FAR))
     elif math.isfinite(option.slide.p90) and option.slide.p90 >= 0.01:
-        parts.append(phrase(f"{_where(verdict)}.slides", length=length(option.slide.p90)))
+        parts.append(phrase(f"{_where(verdict)}.slides", length=length_at_most(option.slide.p90)))
     elif scenario.alone and shares[SLID] < SMALL and shares[OVERTURNED] < SMALL:
         parts.append(phrase("verification.stays_where_it_is"))
     if not scenario.alone:
