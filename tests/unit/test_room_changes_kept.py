@@ -32,7 +32,9 @@ def test_the_csv_says_what_each_change_brings():
         told = [float(found[event][key]) for key in ("change", "change_low", "change_high")]
         assert told == [change.estimate, change.low, change.high]
     place = verdict.label(moved)
-    assert [row["event"] for row in rows if row["of"] == place] == ["hit_with", "shut_in_with"]
+    assert [row["event"] for row in rows if row["of"] == place] == [
+        *("hit_with", "shut_in_with", "device_failed_with")
+    ]
     assert {row["change"] for row in rows if not row["event"].endswith("_with")} == {""}
 
 

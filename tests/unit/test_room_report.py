@@ -1,6 +1,8 @@
 """The report of a room: its plan to scale, and every number of the verdict in both languages."""
 
+import csv
 import html
+import io
 import math
 import re
 from dataclasses import replace
@@ -27,7 +29,13 @@ from stayput.verification import Verdict
 from stayput.verification.changes import Change, with_changes
 from stayput.verification.events import CELL, Zones
 from stayput.verification.people import DoorVerdict, HitVerdict, Outlook, People, PlaceVerdict
-from stayput.verification.room_words import people_in, piece_changed, piece_within, sentence_of_room
+from stayput.verification.room_words import (
+    best_sentence,
+    people_in,
+    piece_changed,
+    piece_within,
+    sentence_of_room,
+)
 from stayput.verification.verdict import OptionVerdict, PieceVerdict
 
 HOSTILE = "<script>alert('&')</script>"
@@ -196,6 +204,7 @@ def barred(verdict):
                 one.people.shut_in.chance,
                 *(piece_changed(one, verdict) or ())[:1],
                 counting_hours(one.people),
+                one.probabilities["device_failed"],
             )
         ),
     ]
@@ -276,6 +285,27 @@ def test_a_piece_that_hits_somebody_is_not_told_as_merely_overturning(language):
     seldom = replace(by[1], probability=NEVER)
     rarely = with_people(verdict, places=(replace(place, by=(by[0], seldom)),))
     assert alone in sentence_of_room(rarely, language)  # what hits in no run is told as overturning
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_changes_that_share_a_rank_are_told_as_ties(language):
+    """In the sentence, the report, Markdown and CSV; how often devices fail stands there where they do."""
+    verdict, failed = made(), probability(shares(0.2, 7))
+    belts, moved = verdict.others
+    belts = replace(belts, people=moved.people, probabilities=belts.probabilities | {"device_failed": failed})
+    moved = replace(moved, probabilities=moved.probabilities | {"device_failed": NEVER}, rank=1)
+    tied = replace(verdict, options=(belts, moved, verdict.without))
+    told = {"en": "Others help about as much (1).", "ja": "同じくらい効果のある変更がほかに1件"}[language]
+    assert told in best_sentence(tied, language)
+    assert told not in best_sentence(verdict, language)
+    (section,) = (one for one in sections(tied, tied.others, language) if one.key == "changes")
+    assert say("report.rank", language) == section.columns[1]
+    assert say("report.device_failed", language) == section.columns[-1]
+    assert [(row[1].value, row[-1].value) for row in section.rows] == [("1", failed), ("1", "")]
+    assert tied.to_markdown(language).count("| 1 |") == 2
+    rows = [row for row in csv.DictReader(io.StringIO(tied.to_csv())) if row["event"].endswith("_with")]
+    assert {row["rank"] for row in rows} == {"1"}
+    assert [row["of"] for row in rows if row["event"] == "device_failed_with"] == [tied.label(belts)]
 
 
 def test_where_nobody_was_hit_the_hours_count_too():

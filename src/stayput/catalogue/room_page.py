@@ -26,6 +26,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "briefOld": ("before the change: {said}", "変更前：{said}"),
     "briefRefused": ("The room cannot be worked out; see why.", "この部屋は計算できません。理由を見る"),
     "bestChange": ("Best single change: {sentence}", "最も効果のある変更：{sentence}"),
+    "amongBest": ("One of the best single changes: {sentence} Others help about as much ({count}).",
+                  "最も効果のある変更の1つ：{sentence}同じくらい効果のある変更がほかに{count}件あります。"),
     "noBest": ("None of the single changes that may be made here makes it clearly better.",
                "ここで行える変更のうち、明らかに良くなるものはありませんでした。"),
     "makeBest": ("Try this change", "この変更を試す"),

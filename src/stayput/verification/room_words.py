@@ -247,4 +247,6 @@ def best_sentence(verdict: Verdict, language: str) -> str:
     best = verdict.helping
     if best is None:
         return say("rooms.no_best", language) if verdict.complete else ""
-    return say("rooms.best", language, change=_effect(best, verdict))
+    alike = sum(option.helps and option.rank == best.rank for option in verdict.others) - 1
+    key = "rooms.among_best" if alike else "rooms.best"
+    return say(key, language, change=_effect(best, verdict), count=alike)

@@ -61,7 +61,7 @@ function option(one, shown) {
   return el(
     "li",
     { class: "option", "data-rank": one.rank },
-    el("div", { class: "optionhead" }, el("strong", { text: capital(label) }), tag(one)),
+    el("div", { class: "optionhead" }, el("strong", { text: `${number(one.rank)}. ${capital(label)}` }), tag(one)),
     el("span", { class: "barname", text: what }),
     el("div", { class: "optionbar" }, bar(share), el("span", { class: "share", text: chance(share) })),
     el("p", { class: "hint", text: effects.filter(Boolean).join(t("space")) }),

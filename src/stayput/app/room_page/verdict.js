@@ -93,11 +93,14 @@ function falls(result) {
 }
 
 function best(result) {
-  const change = result?.changes.filter(mayBe).find((one) => one.helps),
+  const helping = result?.changes.filter((one) => mayBe(one) && one.helps) ?? [],
+    change = helping[0],
+    count = helping.filter((one) => one.rank === change.rank).length - 1,
+    key = count > 0 ? "amongBest" : "bestChange",
     none = result?.complete && result.changes.length ? t("noBest") : "";
   fill(
     part("best"),
-    el("span", { text: change ? t("bestChange", { sentence: both(change.sentence) }) : none }),
+    el("span", { text: change ? t(key, { sentence: both(change.sentence), count: number(count) }) : none }),
     ...(change ? [" ", el("button", { type: "button", class: "primary", text: t("makeBest"), onclick: () => apply(change) })] : []),
   );
 }

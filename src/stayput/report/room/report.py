@@ -10,7 +10,7 @@ from markupsafe import Markup
 
 import stayput
 from stayput.catalogue import TEXTS, phrase, say
-from stayput.montecarlo.counting import OVERTURNED, SLID
+from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED, SLID
 from stayput.report.page import rendered
 from stayput.report.room.plan import change_plan, legend, room_plan
 from stayput.report.verdict import numbers, tables
@@ -153,9 +153,11 @@ def sections(verdict: Verdict, options: Sequence[OptionVerdict], language: str) 
     of_hits = "place", "piece", "how_often", "hit_speed", "hit_energy", "mass"
     of_doors = "door", "wall", "opens", "leads_out", "blocked"
     of_pieces = "piece", "overturned", "slid", "slide", *["piece_harm"] * somebody
-    of_changes = ("change", "changed_hit", "changed_shut_in", "changed_overturned", "risk")
-    of_changes = of_changes if somebody else ("change", "changed_overturned")
-    changes = (_change(option, verdict, language) for option in options)
+    fails = any(option.probabilities[DEVICE_FAILED].estimate for option in options)
+    of_effects = ("changed_hit", "changed_shut_in", "changed_overturned", "risk")
+    of_effects = of_effects if somebody else ("changed_overturned",)
+    of_changes = "change", "rank", *of_effects, *["device_failed"] * fails
+    changes = ((*_change(option, verdict, language), *_fails(option) * fails) for option in options)
 
     def of_people() -> Iterator[Section]:
         of_places = "place", "hit", "crushed", "touched", "by_day", "by_night"
@@ -181,10 +183,17 @@ def _change(option: OptionVerdict, verdict: Verdict, language: str) -> Row:
     change = partial(numbers.change, language=language)
     label = TableCell(verdict.label(option, language), clear, look)
     falls = "" if overturned is None else TableCell(overturned[0], change(overturned[1]))
+    rank = str(option.rank)
     if not people.places:
-        return label, falls
+        return label, rank, falls
     hit, shut_in = (TableCell(each.chance, change(each.change)) for each in (people.hit, people.shut_in))
-    return label, hit, shut_in, falls, TableCell(_risk(people))
+    return label, rank, hit, shut_in, falls, TableCell(_risk(people))
+
+
+def _fails(option: OptionVerdict) -> tuple[TableCell]:
+    """Return how often a device fails; nothing where none does."""
+    failed = option.probabilities[DEVICE_FAILED]
+    return (TableCell(failed if failed.estimate else ""),)
 
 
 def simulations_of_room(verdict: Verdict, language: str) -> str:

@@ -13,7 +13,7 @@ from stayput.files import csv_text
 from stayput.fragility.curve import METHOD, FragilityCurve
 from stayput.measures import Measure, parameters
 from stayput.measures.measure import MEANINGS
-from stayput.montecarlo.counting import OVERTURNED, Quantiles
+from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED, Quantiles
 from stayput.motion.intensity import intensity_class
 from stayput.report.summary import attributes, by_language, number
 from stayput.report.verdict.assumptions import assumptions, told
@@ -40,10 +40,14 @@ if TYPE_CHECKING:
 def room_csv(verdict: Verdict) -> str:
     """Return the probabilities of a verdict as CSV: what happens to what, by what.
 
-    Of a change, also what it brings: the probability with it less that of the room as it is.
+    Of a change, also what it brings, the probability with it less that of the room as it is, and its rank.
     """
-    names = ("event", "of", "by", "probability", "low", "high", "change", "change_low", "change_high")
-    rows = ((*texts, *_ends(chance), *_ends(change)) for *texts, chance, change in _rows(verdict))
+    names = ("event", "of", "by", "probability", "low", "high", "change", "change_low", "change_high", "rank")
+    ranks = {verdict.label(option): option.rank for option in verdict.others}
+    rows = (
+        (event, of, by, *_ends(chance), *_ends(change), ranks[of] if event.endswith("_with") else None)
+        for event, of, by, chance, change in _rows(verdict)
+    )
     return csv_text(names, rows)
 
 
@@ -121,6 +125,8 @@ def _rows(verdict: Verdict) -> Iterator[tuple[str, str, str, Probability, Differ
             yield f"{event}_with", label, "", *getattr(option.people, event)
         if (overturned := piece_changed(option, verdict)) is not None:
             yield "overturned_with", label, "", *overturned
+        if (failed := option.probabilities[DEVICE_FAILED]).estimate:
+            yield "device_failed_with", label, "", failed, None
 
 
 def plan_data(plan: ActionPlan) -> dict[str, Any]:
