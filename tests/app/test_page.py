@@ -159,6 +159,32 @@ def test_the_animation_plays_pauses_and_is_scrubbed(browser: Browser, server: Ru
         assert value() != jumped
 
 
+COLOURED = """() => {
+  const canvas = document.querySelector("#histories"), ratio = canvas.width / canvas.clientWidth;
+  const { data, width } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+  const isAlarm = (at) => data[at] > 180 && data[at + 1] < 120 && data[at + 2] < 40;
+  const count = (panel, from, to) => {
+    let found = 0;
+    for (let y = Math.ceil((118 * panel + 40) * ratio); y < (118 * panel + 112) * ratio; y++)
+      for (let x = Math.ceil(from * width); x < to * width; x++) found += isAlarm(4 * (y * width + x));
+    return found;
+  };
+  return [1, 2].flatMap((panel) => [count(panel, 0.1, 0.9), count(panel, 0.9, 0.98)]);
+}"""
+"""Pixels of tilt and slide in the colour of the run without measures, before the last tenth and within it."""
+
+
+def test_histories_are_grey_after_a_fall(browser: Browser, server: Running) -> None:
+    with opened(browser, server) as it:
+        _, answer = it.simulated(lambda: it.page.get_by_label("Gap to the wall (cm)").fill("7.5"))
+        assert answer["without"]["overturned"]
+        it.page.fill("#time", "0")
+        it.draw()
+        tilts, tilts_late, slides, slides_late = it.page.evaluate(COLOURED)
+        assert min(tilts, slides) > 50
+        assert max(tilts_late, slides_late) == 0
+
+
 def test_a_link_shows_the_scene_again(browser: Browser, server: Running) -> None:
     with opened(browser, server) as it:
         it.simulated(lambda: it.page.click("#presets button:has-text('Wardrobe')"))

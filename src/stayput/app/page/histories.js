@@ -50,13 +50,13 @@ export const piecesKey = ({ runs }) =>
     ? runs[0].scene.bodies.map(({ name, line: colour }, k) => ({ name, colour, dash: dashOf(k).join(" ") }))
     : [];
 
-/** The lines of a history: of each run, or of each piece where there are several. */
+/** The lines of a history: of each run, or of each piece where there are several, with when it falls. */
 function series({ runs }, key, factor) {
   const several = runs[0].scene.bodies.length > 1;
-  return runs.flatMap(({ time_s: times, scene }, i) =>
+  return runs.flatMap(({ time_s: times, fallen_s, scene }, i) =>
     scene.bodies.map(({ line: colour, ...body }, k) => {
       const look = several ? { dash: dashOf(k), colour } : lookOf(i);
-      return { times, values: body[key], factor, ...look };
+      return { times, values: body[key], factor, falls: fallen_s[k], ...look };
     }),
   );
 }
@@ -206,12 +206,14 @@ function drawPanel(pen, { title, unit, lines, span: [low, high], beyond }, top, 
   pen.beginPath();
   pen.rect(LEFT, top - 1, width - LEFT - RIGHT, BAND + 2);
   pen.clip();
-  for (const { times, values, factor, dash, colour } of lines) {
+  for (const { times, values, factor, falls = Infinity, dash, colour } of lines) {
     pen.setLineDash(dash);
-    const points = [];
+    const upright = [],
+      fallen = []; // grey, as in the figures of the command line: peaks are those until then
     for (let k = 0; k < times.length && times[k] <= shown.end; k++)
-      points.push([across(times[k]), up(values[k] * factor)]);
-    line(pen, colour, 1.6, points);
+      (times[k] <= falls ? upright : fallen).push([across(times[k]), up(values[k] * factor)]);
+    line(pen, ink.room, 1.6, fallen);
+    line(pen, colour, 1.6, upright);
   }
   pen.restore();
   drawNames(pen, heading, lines, top, width);

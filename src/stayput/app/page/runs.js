@@ -25,6 +25,7 @@ function prepared(run, floor) {
     devices: devices(run),
     events: run.events.filter(({ time_s, piece }) => time_s <= ends[piece] + ROUNDED),
     time_s: times,
+    fallen_s: run.pieces.map((one) => Math.min(one.overturn_time_s ?? Infinity, one.fall_time_s ?? Infinity)),
     tilt_rad: times.map((_, k) => Math.max(...bodies.map(({ tilts }) => Math.abs(tilts[k])))),
     done_s: run.overturned ? Math.max(...ends.filter(Number.isFinite)) + LYING : 0,
   };
