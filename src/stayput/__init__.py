@@ -20,6 +20,7 @@ SUCCESSORS = {
     "Standing": "Piece",
     "Assembly": "Scene",
     "SpaceRun": "Run",
+    "simulate_in_space": "simulate",
     "response_spectrum": "Motion.spectrum",
 }
 """Public names that are gone, and the names that do what they did."""

@@ -336,8 +336,12 @@ def test_what_is_gone_names_its_successor(language, place):
         assert place in refused.stderr
         assert f"`{successor}`" in refused.stderr
     for flag, successor in successors.FLAGS.items():
-        refused = cli("simulate", "--lang", language, flag)
+        *command, last = flag.split()
+        refused = cli(*(command or ["simulate"]), "--lang", language, last)
         assert refused.exit_code == 2
         assert place in refused.stderr
+        assert f"`{successor}`" in refused.stderr
+        if not successor.startswith("--set"):
+            continue
         key = successor.removeprefix("--set ").removesuffix("=VALUE")
         assert "is unknown" not in cli("simulate", "--set", f"{key}=[]").stderr  # there is such a key

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from pathlib import Path
 
+from typer.main import get_command
+
 import stayput
+from stayput.cli import app, successors
 
 ROOT = Path(__file__).parents[2]
 
@@ -37,3 +41,32 @@ def test_an_unknown_version_is_refused():
     assert done.stdout == ""
     assert "'9.9.9'" in done.stderr
     assert "0.1.0" in done.stderr
+
+
+TO_COME = printed("Unreleased").stdout
+TABLE = re.search(r"^\| before.*?\n\n", TO_COME, re.DOTALL | re.MULTILINE)[0]
+
+
+def flags_of(command):
+    """All flags of a command and of those below it."""
+    own = {flag for parameter in command.params for flag in parameter.opts}
+    return own.union(*map(flags_of, getattr(command, "commands", {}).values()))
+
+
+def test_what_is_gone_is_not_there_and_names_its_successor():
+    for row in TABLE.strip().splitlines()[2:]:
+        for name in re.findall("`([^`]+)`", row.split("|")[1]):
+            gone = {**stayput.SUCCESSORS, **successors.FLAGS, **successors.COMMANDS}
+            assert name.removeprefix("stayput ") in gone, name
+    for successor in stayput.SUCCESSORS.values():
+        name, _, attribute = successor.partition(".")
+        assert not attribute or hasattr(getattr(stayput, name), attribute)
+
+
+def test_tables_flags_and_names_that_are_told_are_there():
+    tables = {field.alias or name for name, field in stayput.Scenario.model_fields.items()}
+    assert set(re.findall(r"`\[+(\w+)\]+`", TO_COME)) <= tables
+    flags = set(re.findall(r"(?<![\w-])--[\w-]+", TO_COME.replace(TABLE, "")))
+    assert flags <= flags_of(get_command(app)) | {"--lang"}
+    for name in re.findall(r"`run\.(\w+)", TO_COME):
+        assert hasattr(stayput.Run, name) != (name in ("x", "z", "tilt_rate")), name

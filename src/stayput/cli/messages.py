@@ -151,8 +151,9 @@ def _misused(error: Any) -> InputError:
     command = getattr(error.ctx, "command_path", "stayput")
     if kind == "NoSuchOption":
         flag = str(error.option_name)
-        if flag in successors.FLAGS:
-            return InputError("cli.gone", flag, name=flag, successor=successors.FLAGS[flag])
+        below = command.partition(" ")[2]
+        if successor := successors.FLAGS.get(flag) or successors.FLAGS.get(f"{below} {flag}"):
+            return InputError("cli.gone", flag, name=flag, successor=successor)
         return InputError("cli.no_such_flag", flag, flag=repr(flag), command=command)
     if kind == "MissingParameter":
         name = _as_on_the_line(error.param)

@@ -29,6 +29,10 @@ _KEYS = {
     "friction": "room.floor.static_friction",
     "wall": "room.left_wall.construction",
     "left-wall": "room.left_wall.gap",
+    "right-wall": "room.right_wall.gap",
 }
 
-FLAGS = {f"--{name}": f"--set {key}=VALUE" for name, key in _KEYS.items()}
+FLAGS = {f"--{name}": f"--set {key}=VALUE" for name, key in _KEYS.items()} | {
+    "--contact": 'simulate(…, contact="paper")',
+    "motion info --plot": "stayput motion plot",
+}
