@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import pytest
 from browsing import PHONE, opened
 
 import stayput as sp
@@ -167,7 +168,7 @@ def test_the_unit_that_is_asked_for_starts_at_what_the_file_mentions(
 
 @recorded
 def test_files_of_one_record_are_its_components_together_and_one_after_another(
-    browser: Browser, server: Running
+    browser: Browser, server: Running, tmp_path: Path
 ) -> None:
     ns, ew, up = (MOTIONS / f"jma_kobe_1995_{axis}.AT2" for axis in ("ns", "ew", "ud"))
     with opened(browser, server) as it:
@@ -183,9 +184,19 @@ def test_files_of_one_record_are_its_components_together_and_one_after_another(
         it.settle()
         assert "Component across it: jma_kobe_1995_ns.AT2." in it.text("#uploaded")
         it.simulated(lambda: it.page.get_by_role("button", name="Without this record").click())
-        for file in (ns, ew, up):
-            asked, _ = it.simulated(lambda file=file: it.page.set_input_files("#file", file))
+        for file in (ns, up, ew):
+            asked, one_by_one = it.simulated(lambda file=file: it.page.set_input_files("#file", file))
         assert {"record", "across", "vertical"} <= asked["scene"]["shaking"].keys()
+        for file in (ns, ew, up):
+            (tmp_path / file.name).write_bytes(file.read_bytes())
+        (suite,) = sp.read_suite(tmp_path)
+        for run in (answer, one_by_one):
+            assert run["motion"]["pga_m_s2"] == pytest.approx(suite.pga, rel=1e-3)
+        for part in (
+            "Component across it: jma_kobe_1995_ns.AT2.",
+            "Vertical component: jma_kobe_1995_ud.AT2.",
+        ):
+            assert part in it.text("#uploaded")
         other = MOTIONS / "elcentro_1940_180.AT2"
         asked, _ = it.simulated(lambda: it.page.set_input_files("#file", other))
         assert not {"across", "vertical"} & asked["scene"]["shaking"].keys()  # another record

@@ -47,7 +47,7 @@ export function wire(takeScenario) {
   for (const name of ["dragover", "drop"]) addEventListener(name, (event) => event.preventDefault());
 }
 
-/** Sends files to the server, and takes those of one record together: the first horizontal one shakes the piece. */
+/** Sends files to the server, and takes those of one record together: the first horizontal one by name shakes the piece. */
 async function send(files, said = {}) {
   waiting?.abort();
   waiting = new AbortController();
@@ -72,7 +72,7 @@ async function send(files, said = {}) {
 async function take(sent) {
   const { record } = current(),
     goesOn = sent.every(({ motion }) => FURTHER.includes(ofRecord(record, motion))),
-    begun = goesOn ? record : whole(sent[0].motion, await lettersOf(sent[0].file)),
+    begun = goesOn ? record : { ...whole(sent[0].motion, await lettersOf(sent[0].file)), file: sent[0].file.name },
     further = {},
     others = [];
   for (const { motion, file } of goesOn ? sent : sent.slice(1)) {
@@ -81,7 +81,14 @@ async function take(sent) {
     else others.push(motion.name);
   }
   trouble = null;
-  await use({ ...begun, ...further, others }, goesOn ? {} : undefined);
+  await use(firstByName({ ...begun, ...further, others }), goesOn ? {} : undefined);
+}
+
+/** A record whose first horizontal component by its file's name shakes the piece, in whichever order they came. */
+function firstByName(record) {
+  const { across, vertical: up, others, ...along } = record;
+  if (!across || (along.file ?? along.name) <= (across.file ?? across.name)) return record;
+  return { ...across, across: along, vertical: up, others };
 }
 
 /** Which component of a record a file holds, "x" being that which shakes the piece; null where they do not say that they are of one. */
@@ -95,7 +102,7 @@ function ofRecord(record, motion) {
 async function component(motion, file, beside) {
   const others = [beside, ...FURTHER.map((part) => beside[part])].filter(Boolean),
     room = others.reduce((left, { letters }) => left - (letters?.length ?? LONGEST), LONGEST);
-  return whole(motion, room > 0 ? await lettersOf(file, room) : null);
+  return { ...whole(motion, room > 0 ? await lettersOf(file, room) : null), file: file.name };
 }
 
 /** Shows something in the place of the record, until the scene changes with a record in it. */
