@@ -11,8 +11,7 @@ from pydantic import Field
 
 import stayput
 from stayput.app.downloads import film_kinds
-from stayput.app.messages import Reply, TwoNumbers, Words
-from stayput.building.building import STOREY_HEIGHT, STRUCTURES
+from stayput.app.messages import Reply, Words
 from stayput.catalogue import Phrase, names, phrase
 from stayput.estimates import PRESET_DRAWERS, Everyday
 from stayput.measures import MEASURES, Measure, Parameter, parameters
@@ -104,7 +103,6 @@ class FurnitureReply(NamedReply):
     shelves: int | None
     drawers: int = Field(description="Drawers that can be open at once.")
     base: str = Field(description="What bears on the floor; see `furniture.base` of the numbers.")
-    centre_of_gravity_m: TwoNumbers
 
 
 class SurfaceReply(NamedReply):
@@ -112,14 +110,6 @@ class SurfaceReply(NamedReply):
 
     static_friction: float
     kinetic_friction: float
-
-
-class StructureReply(NamedReply):
-    """A structure of buildings."""
-
-    storey_height_m: float
-    damping: float
-    most_storeys: int
 
 
 class FamilyReply(NamedReply):
@@ -131,7 +121,6 @@ class FamilyReply(NamedReply):
 class IntensityReply(NamedReply):
     """A class of JMA's intensity."""
 
-    from_: float | None = Field(serialization_alias="from", description="Where it begins.")
     middle: float
     about: Words = Field(description="What people meet.")
     furniture: Words = Field(description="What it does to furniture.")
@@ -168,10 +157,7 @@ class MeasureReply(Reply):
 class LimitsReply(Reply):
     """What the server accepts."""
 
-    body_bytes: int
-    upload_bytes: int
     duration_s: float
-    suite_count: int
     samples: int
     jobs_running: int
     jobs_waiting: int
@@ -199,7 +185,7 @@ class PresetsReply(Reply):
     surfaces: list[SurfaceReply]
     contents: list[NamedReply]
     doors: list[NamedReply]
-    structures: list[StructureReply]
+    structures: list[NamedReply]
     families: list[FamilyReply]
     intensities: list[IntensityReply]
     measures: list[MeasureReply]
@@ -227,21 +213,12 @@ def presets(limits: Limits) -> PresetsReply:
         ],
         contents=_named(names.CONTENTS),
         doors=_named(names.DOORS),
-        structures=[
-            StructureReply(
-                id=name,
-                label=Words.of(names.STRUCTURES[name]),
-                storey_height_m=STOREY_HEIGHT,
-                damping=structure.damping,
-                most_storeys=limits.storeys,
-            )
-            for name, structure in STRUCTURES.items()
-        ],
+        structures=_named(names.STRUCTURES),
         families=[
             FamilyReply(id=name, label=Words.of(label), about=Words.of(about))
             for name, (label, about) in names.FAMILIES.items()
         ],
-        intensities=[_intensity(name, start) for name, start in CLASSES],
+        intensities=[_intensity(name) for name, _ in CLASSES],
         measures=[_measure(name, kind) for name, kind in MEASURES.items()],
         numbers={name: _parameter(number) for name, number in NUMBERS.items()},
         outcomes=_named(names.OUTCOMES),
@@ -263,22 +240,19 @@ def _named(labels: Mapping[str, Phrase]) -> list[NamedReply]:
 
 
 def _furniture(name: str, preset: Preset) -> FurnitureReply:
-    body = Body(preset.width, preset.height, preset.mass)
     return FurnitureReply.from_attributes(
         preset,
         id=name,
         label=Words.of(names.FURNITURE[name]),
         shelves=None if preset.carcass_mass is None else SHELVES,
         drawers=PRESET_DRAWERS.get(name, 0),
-        centre_of_gravity_m=body.centre_of_gravity,
     )
 
 
-def _intensity(name: str, start: float) -> IntensityReply:
+def _intensity(name: str) -> IntensityReply:
     return IntensityReply(
         id=name,
         label=Words.of(names.INTENSITIES[name]),
-        from_=start if math.isfinite(start) else None,
         middle=intensity_of_class(name),
         about=Words.of(names.PEOPLE[name]),
         furniture=Words.of(names.ON_FURNITURE[name]),
