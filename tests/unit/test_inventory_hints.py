@@ -132,8 +132,8 @@ def test_a_fixed_piece_is_not_assessed_as_free(tmp_path):
         assert "_" not in row["reason"]
         assert "'あり', 'なし', '滑り止めシート'" in row["reason_ja"]
     english, japanese = notes_told(facts)[0]
-    assert "by L-brackets): 20 rows (8, 9, 10, 11, 12, …)" in english
-    assert "L型金具とします）：20行（8、9、10、11、12、…行目）" in japanese
+    assert "where that alone is said: 20 rows (8, 9, 10, 11, 12, …)" in english
+    assert "L型金具）：20行（8、9、10、11、12、…行目）" in japanese
     for told, blank in zip(empty_told(facts), ("固定状況 in 3 rows", "固定状況（3行）"), strict=True):
         assert blank in told
 

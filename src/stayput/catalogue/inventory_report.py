@@ -61,10 +61,10 @@ TEXTS: dict[str, tuple[str, str]] = {
                 "奥行方向（前後）の揺れだけを評価しています。")),
     "without_mass": ("Without a mass: {rows}. It does not matter to how a free piece moves.",
                      "重量のない家具：{rows}。固定していない家具の動きは重量によりません。"),
-    "fixed": (("Fixed already by {name} (where a table says only that it is fixed, by L-brackets): {rows}. "
-               "“Without a measure” means without a further one."),
-              ("{name}ですでに固定してある家具（固定とだけある場合はL型金具とします）：{rows}。"
-               "「対策なし」は、ほかに追加しないという意味です。")),
+    "fixed": (("Fixed already by {name}, L-brackets where that alone is said: {rows}. “Without a measure” "
+               "means without a further one."),
+              ("{name}ですでに固定してある家具（固定とだけあればL型金具）：{rows}。「対策なし」は、"
+               "ほかに追加しないという意味です。")),
     # Maps
     "map_without": ("Share that overturns, in per cent, without a measure", "転倒する割合（%）：対策なし"),
     "map_best": ("The same with the best measure on each piece that one clearly helps",

@@ -169,23 +169,18 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Columns of numbers.
     "columns_of_numbers": ("columns of numbers", "数値の列"),
     "file_and_form": ("{file} ({form})", "{file}（{form}）"),
-    "column_count": (("The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, "
-                      "z), unless {option} says which they are ({example}), or that each row has several "
-                      "samples of one series (rows)."),
-                     ("{columns}列あります。1列（加速度）、2列（時刻と加速度）、4列（時刻とx、y、"
-                      "z）にするか、「{option}」で、どれがそれらの列か（例：「{example}」）、"
-                      "または1つの時系列が行に続けて並ぶこと（「rows」）を指定してください。")),
+    "column_count": (("The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, z), "
+                      "unless {option} says which they are ({example}), or that a series is in rows (rows)."),
+                     ("{columns}列あります。1列（加速度）、2列（時刻と加速度）、4列（時刻とx、y、z）にするか、「{option}」"
+                      "で、どれがその列か（「{example}」）、1つの時系列が行に続けて並ぶか（「rows」）を指定してください。")),
     "one_column_of_rows": (("Of {count} columns without headings only one is read; where each row has "
                             "several samples of one series, {option} must be rows."),
-                           ("見出しのない{count}列のうち1列だけを読みます。"
-                            "1つの時系列が行に続けて並ぶ場合は、「{option}」を「rows」にしてください。")),
-    "rows_taken_as_samples": (("Each row is read as {count} samples of one series, which goes on from row to "
-                               "row."),
+                           ("見出しのない{count}列のうち1列だけを読みます。1つの時系列が行に続けて並ぶ場合は"
+                            "「{option}」を「rows」にしてください。")),
+    "rows_taken_as_samples": ("Each row is read as {count} samples of one series that goes on in the next.",
                               "各行を、次の行へと続く1つの時系列の{count}個のデータとして読みます。"),
-    "rows_of_one_series": (("A row has {count} samples of one series, which goes on from row to row; it must "
-                            "not be taken as columns: {option} must be rows."),
-                           ("1行に1つの時系列の{count}個のデータが並び、次の行へと続いています。"
-                            "列には分けられません。「{option}」を「rows」にしてください。")),
+    "rows_of_one_series": ("Each row has {count} samples of one series; {option} must be rows.",
+                           "1行に1つの時系列の{count}個のデータが並びます。「{option}」をrowsにしてください。"),
     "column_first_row": (("Row {row} has {count} values; it must have {columns} like the first, unless "
                           "{option} passes that over."),
                          ("行によって列の数が違います（1行目は{columns}個、{row}行目は{count}個）。"

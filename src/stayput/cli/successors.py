@@ -8,17 +8,10 @@ COMMANDS = {
     "study": "python -m studies NAME",
 }
 
-_KEYS = {
-    "scale": "shaking.scale",
-    "pgv": "shaking.pgv",
+_OF_SHAKING = ("scale", "pgv", "mmi", "component", "location", "remove_mean", "skip_lines", "decimal_comma")
+_KEYS = {name.replace("_", "-"): f"shaking.{name}" for name in _OF_SHAKING} | {
     "sa": "shaking.sa.value",
-    "mmi": "shaking.mmi",
     "earthquake": "shaking.earthquake.magnitude",
-    "component": "shaking.component",
-    "location": "shaking.location",
-    "remove-mean": "shaking.remove_mean",
-    "skip-lines": "shaking.skip_lines",
-    "decimal-comma": "shaking.decimal_comma",
     "vertical": "shaking.vertical",
     "no-vertical": "shaking.vertical",
     "x": "shaking.record",

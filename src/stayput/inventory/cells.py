@@ -288,13 +288,8 @@ _STOREY = re.compile(
 """3F, 3階, and M3F or 中3階, the mezzanine below it, which is taken to move as it does; 2. OG; B1, 1. UG."""
 
 _NAMED = {
-    "地下": -1,
-    "地階": -1,
-    "basement": -1,
-    "ug": -1,
-    "eg": 1,
-    "rdc": 1,
-    "ground floor": 1,
+    **dict.fromkeys(("地下", "地階", "basement", "ug"), -1),
+    **dict.fromkeys(("eg", "rdc", "ground floor"), 1),
     "mezzanine": 2,
 }
 _DIGITS = str.maketrans("一二三四五六七八九", "123456789")

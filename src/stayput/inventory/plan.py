@@ -36,9 +36,6 @@ ROWS_LOOKED_AT = 200
 FIRST_ALIKE = 5
 """Rows that are told of those that are refused for the same."""
 
-MONEY = ("value", "costs")
-"""Columns in one currency, which either may state."""
-
 MAY_BE_EMPTY = ("id", *SIZES, "count", "fixed")
 """Columns of which it is told how many cells are empty in rows that are assessed."""
 
@@ -176,7 +173,9 @@ def make_plan(
                 "rejects alike": rejects.told(),
                 "measures not possible": impossible.told(),
                 "fixed": fixed.told(),
-                "currency": next((unit.currency for unit in map(header.units.get, MONEY) if unit), ""),
+                "currency": next(
+                    (unit.currency for unit in map(header.units.get, ("value", "costs")) if unit), ""
+                ),
                 "units": store.next_unit,
                 "read as": table.read_as,
                 "columns not used": header.unused,

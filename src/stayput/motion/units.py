@@ -103,16 +103,10 @@ MENTIONED = re.compile(
     r"|[(\[_] ?(m?g|%g|[cm]?m_?p?s_?2|m_s_2)(?:[)\]]|(?![a-z0-9/^²*]))",
     re.IGNORECASE,
 )
-_VELOCITY_WORDS = (
-    r"(?<![a-z])vel(?:oc(?:it(?:y|ies))?)?(?![a-z])|(?<![加波大])速度|(?<!wellen)geschwindigkeit"
-    r"|vitesse|velocid"
-)
-_VELOCITY_UNITS = (
-    r"(?<![a-z])(?:(?:[cm]?m|in|ft|rad|deg)(?:/s(?:ec)?|[ .·⋅]?s\^?[-−⁻][1¹])|kines?)(?![a-z0-9/^²*])|カイン"
-)
-_DISPLACEMENT_WORDS = (
-    r"(?<![a-z])disp(?:lacements?)?(?![a-z])|変位|位移|verschiebung|d[eé]placement|desplazamiento"
-)
+_VELOCITY_WORDS = r"(?<![a-z])vel(?:oc\w*)?(?![a-z])|(?<![加波大])速度|(?<!wellen)geschwindigkeit|vitesse"
+_UNIT_OF_VELOCITY = r"(?:[cm]?m|in|ft|rad|deg)(?:/s(?:ec)?|[ .·⋅]?s\^?[-−⁻][1¹])|kines?"
+_VELOCITY_UNITS = rf"(?<![a-z])(?:{_UNIT_OF_VELOCITY})(?![a-z0-9/^²*])|カイン"
+_DISPLACEMENT_WORDS = r"(?<![a-z])disp(?:lacements?)?(?![a-z])|d[eé]placement|desplaza|verschiebung|変位|位移"
 _VELOCITY = re.compile(f"{_VELOCITY_WORDS}|{_VELOCITY_UNITS}", re.IGNORECASE)
 _DISPLACEMENT = re.compile(rf"{_DISPLACEMENT_WORDS}|[(\[] ?[cm]?m ?[)\]]|_[cm]m$|^[cm]?m$", re.IGNORECASE)
 _OTHER_MOTION = re.compile(

@@ -256,10 +256,8 @@ const warnings = ({ id, warnings: all }) =>
     ...(one.field === "remove_mean" && latest?.id === id ? [lessItsMean()] : []),
   ]);
 
-const lessItsMean = () => {
-  const onclick = () => send([latest.file], { ...latest.said, remove_mean: "true" });
-  return el("button", { type: "button", text: t("file_remove_mean"), onclick });
-};
+const lessItsMean = () =>
+  el("button", { type: "button", text: t("file_remove_mean"), onclick: () => send([latest.file], { ...latest.said, remove_mean: "true" }) });
 
 /** Shows the record in use, if there is one; what was wrong with another file goes with the next change. */
 export function update() {
@@ -282,8 +280,7 @@ function measured() {
     changed: (place) => change({ onFloor: place === "floor" }),
   });
   field.set(current().onFloor ? "floor" : "ground");
-  const note = current().onFloor ? el("p", { class: "hint", text: t("measuredNote") }) : null;
-  return [field.element, ...(note ? [note] : [])];
+  return current().onFloor ? [field.element, el("p", { class: "hint", text: t("measuredNote") })] : [field.element];
 }
 
 /** What is known of the record in use, and the button that ends its use. */

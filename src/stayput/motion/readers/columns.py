@@ -224,13 +224,9 @@ def read_columns(
     timeless = "t" not in chosen if chosen else len(places) == 1 or headings.time is None
     # The headings of chosen columns begin with one of the time, whether the file has that or not.
     shift = 1 if chosen and timeless else 0
+    unit_above, step_missing = next(iter(stated_units), None), timeless and dt is None and written is None
     factors = known_units.column_factors(
-        headings,
-        len(places) + shift,
-        next(iter(stated_units), None),
-        unit,
-        header,
-        step_missing=timeless and dt is None and written is None,
+        headings, len(places) + shift, unit_above, unit, header, step_missing=step_missing
     )[shift:]
     if len(table) < 2:
         raise InputError("motion.few_rows", rows=len(table))
@@ -311,10 +307,8 @@ def _usual_columns(head: _Head, counted: bool, step: float | None) -> tuple[Sequ
         headings = headings.at(places)
     of_directions = all(is_direction(name) for i, name in enumerate(headings.names) if i != headings.time)
     if len(places) not in _LABELS and not (headings.names and of_directions):
-        example = (
-            ",".join(f"{role}={place + 1}" for role, place in known_units.axes_of(headings).items())
-            or "t=1,x=2"
-        )
+        axes = known_units.axes_of(headings) or {"t": 0, "x": 1}
+        example = ",".join(f"{role}={place + 1}" for role, place in axes.items())
         raise InputError("motion.column_count", columns=len(places), option="columns", example=example)
     return places, headings
 
