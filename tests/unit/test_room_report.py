@@ -12,12 +12,12 @@ import numpy as np
 import pytest
 from html_pages import Page, check_alone, check_readable
 
-from stayput.catalogue import say
+from stayput.catalogue import phrase, say
 from stayput.errors import InputError
 from stayput.fragility.paired import difference
 from stayput.fragility.probabilities import probability
 from stayput.measures import Belt
-from stayput.model.floor_plan import rectangle
+from stayput.model.floor_plan import PLACE_NAMES, rectangle
 from stayput.montecarlo.counting import EVENTS, Member, Quantiles
 from stayput.report.room.plan import DrawnPiece, change_plan, covers_svg, plan_svg
 from stayput.report.room.report import room_html, sections
@@ -278,8 +278,10 @@ def test_a_piece_that_hits_somebody_is_not_told_as_merely_overturning(language):
     pieces = several.without.pieces
     assert [piece.falls for piece in pieces] == [True, True]
     told = sentence_of_room(several, language)
-    second = say(by[1].probability.texts, language)
-    assert say("rooms.other_piece", language, piece=piece_within(by[1].piece), share=second) in told
+    for hit in by:
+        words = {"often": "", "piece": piece_within(hit.piece), "interval": ""}
+        where = phrase("rooms.in_place", place=PLACE_NAMES["bed"])
+        assert say("rooms.falls_on", language, place=where, **words).strip() in told
     alone = say(pieces[1].probabilities["overturned"].share, language)
     assert alone not in told
     seldom = replace(by[1], probability=NEVER)

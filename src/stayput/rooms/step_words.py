@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from stayput.measures import Held
     from stayput.rooms.purchases import Purchase
     from stayput.rooms.steps import NotTaken, Trial
-    from stayput.verification.people import People
     from stayput.verification.verdict import OptionVerdict
 
 KILOGRAM = 9.80665
@@ -93,33 +92,30 @@ def not_strong_enough(fix: Fix, plan: ActionPlan) -> tuple[Phrase, Phrase] | Non
         sentences.append(phrase("action_plan.weak_anywhere"))
     else:
         sentences.append(phrase("action_plan.weak_to", strength=class_phrase(fix.enough_to)))
-    values = {
-        "strength": class_phrase(plan.verdict.intensity, plan.verdict.floor),
-        "fails": fix.gives_way.share,
-        "share": fix.overturns.share,
-    }
-    weak = phrase("action_plan.weak" if fix.too_weak else "action_plan.no_reserve", **values)
+    key = "action_plan.weak" if fix.too_weak else "action_plan.no_reserve"
+    strength = class_phrase(plan.verdict.intensity, plan.verdict.floor)
+    weak = phrase(key, strength=strength, in_runs=in_runs(fix))
     return weak, joined(sentences, "action_plan.next")
+
+
+def in_runs(tried: Fix | Trial) -> Phrase:
+    """Return how often measures give way and the piece overturns with them."""
+    return phrase("action_plan.in_runs", fails=tried.gives_way.share, share=tried.overturns.share)
 
 
 def why_not(tried: Trial, taken: Trial | None = None) -> Phrase:
     """Return why measures that have run on a piece were not taken; where none were, they do not help."""
-    effect, shares = tried.effect, {"share": tried.overturns.share}
+    effect = tried.effect
     if fails_to_hold(tried.gives_way, tried.overturns):
-        return phrase("action_plan.too_weak", fails=tried.gives_way.share, **shares)
+        return phrase("action_plan.too_weak", in_runs=in_runs(tried))
     if taken is None:
-        return phrase("action_plan.helps_not", **shares)
+        return phrase("action_plan.helps_not", share=tried.overturns.share)
     if not effect.helps:
         return phrase("action_plan.no_gain")
     people = effect.people
     assert people is not None
-    keys = {
-        "hit": people.hit.chance,
-        "shut_in": people.shut_in.chance,
-        "blocked": people.blocked.chance,
-        "overturned": tried.overturns,
-    }
-    for (key, chance), less, more in zip(keys.items(), merit(tried), merit(taken), strict=False):
+    chances = {key: getattr(people, key).chance for key in DECIDING_EVENTS} | {OVERTURNED: tried.overturns}
+    for (key, chance), less, more in zip(chances.items(), merit(tried), merit(taken), strict=False):
         if less > more:
             what = phrase(f"rooms.chance_of_{key}")
             return phrase("action_plan.helps_less", what=what, share=chance.share)
@@ -151,27 +147,28 @@ def _bears(purchase: Purchase) -> Phrase:
     )
 
 
-def chances_after(effect: OptionVerdict, plan: ActionPlan) -> dict[str, tuple[Probability, Probability]]:
-    """Return what may happen with something, by the key of its words, and how likely it is as the room is."""
-    people, now = effect.people, people_in(plan.verdict)
+def chances_after(
+    effect: OptionVerdict, plan: ActionPlan, before: OptionVerdict | None = None
+) -> dict[str, tuple[Probability, Probability]]:
+    """Return what may happen with something, by the key of its words, and how likely it is before that.
+
+    That is in the room as it is where it is left out.
+    """
+    people, was = effect.people, (plan.verdict.without if before is None else before).people
     assert people is not None
-    return {key: (getattr(people, key).chance, getattr(now, key).chance) for key in DECIDING_EVENTS}
+    assert was is not None
+    return {key: (getattr(people, key).chance, getattr(was, key).chance) for key in DECIDING_EVENTS}
 
 
-def worth_telling(effect: OptionVerdict, plan: ActionPlan) -> dict[str, tuple[Probability, Probability]]:
+def worth_telling(
+    effect: OptionVerdict, plan: ActionPlan, before: OptionVerdict | None = None
+) -> dict[str, tuple[Probability, Probability]]:
     """Return those of them that happen; none in a room without places."""
     return {
         key: (chance, was)
-        for key, (chance, was) in chances_after(effect, plan).items()
+        for key, (chance, was) in chances_after(effect, plan, before).items()
         if (key == "hit" and people_in(plan.verdict).places) or was.estimate != 0.0 or chance.estimate != 0.0
     }
-
-
-def nothing_happened(people: People) -> Phrase:
-    """Return that no piece did harm in the runs, to persons and to doors where there are any."""
-    events = ["hit_nobody"] * bool(people.places) + ["blocked_no_door"] * bool(people.doors)
-    harm = (phrase(f"action_plan.{event}") for event in (*events, "seldom_overturned"))
-    return phrase("action_plan.nothing", harm=joined(harm, "action_plan.nor"))
 
 
 def falls(plan: ActionPlan) -> Phrase | None:
@@ -207,23 +204,17 @@ def effects(effect: OptionVerdict, plan: ActionPlan, before: OptionVerdict | Non
     before : OptionVerdict, optional
         From what it changes; from the room as it is where it is left out.
     """
-    first = {} if before is None else chances_after(before, plan)
-    after = worth_telling(effect, plan)
-    rows = [(key, first[key][0] if first else was, chance) for key, (chance, was) in after.items()]
-    changed = [row for row in rows if row[1].share != row[2].share]
+    rows = worth_telling(effect, plan, before)
+    changed = {key: pair for key, pair in rows.items() if pair[0].share != pair[1].share}
     return joined(
         phrase("action_plan.changes", what=phrase(f"rooms.chance_of_{key}"), was=was.texts, now=chance.texts)
-        for key, was, chance in changed or rows
+        for key, (chance, was) in (changed or rows).items()
     )
 
 
 def changes_nothing(effect: OptionVerdict, plan: ActionPlan, before: OptionVerdict | None = None) -> bool:
     """Return whether no share that is shown is another one than before, or than in the room as it is."""
-    first = None if before is None else chances_after(before, plan)
-    return all(
-        chance.share == (was if first is None else first[key][0]).share
-        for key, (chance, was) in chances_after(effect, plan).items()
-    )
+    return all(chance.share == was.share for chance, was in chances_after(effect, plan, before).values())
 
 
 def what_it_brings(number: int, plan: ActionPlan) -> Iterator[Phrase]:
@@ -234,8 +225,7 @@ def what_it_brings(number: int, plan: ActionPlan) -> Iterator[Phrase]:
     """
     step = plan.steps[number - 1]
     if not step.for_people and (not step.decided or changes_nothing(step.alone, plan)):
-        if people_in(plan.verdict).places or not _steadies(step):
-            yield phrase("action_plan.only_falls" if _steadies(step) else "action_plan.no_gain")
+        yield phrase("action_plan.only_falls" if _steadies(step) else "action_plan.no_gain")
         return
     alone = effects(step.alone, plan)
     if not step.alone.helps:

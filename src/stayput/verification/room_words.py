@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from itertools import chain, repeat
 from typing import TYPE_CHECKING
 
@@ -20,7 +20,7 @@ from stayput.wording import called, default_name, inside, joined, name_quoted, n
 
 if TYPE_CHECKING:
     from stayput.fragility.paired import Difference
-    from stayput.verification.people import HitVerdict, People
+    from stayput.verification.people import People
     from stayput.verification.verdict import OptionVerdict, PieceVerdict, Verdict
 
 TOLD = 0.005
@@ -115,20 +115,21 @@ def _clauses(verdict: Verdict) -> Iterator[Phrase]:
 
     people = people_in(verdict)
     worst = sorted(people.places, key=lambda place: (-place.hit.estimate, -place.touched.estimate))
-    reached = [(place, place.by[0]) for place in worst if place.by]
+    reached = [
+        (place, hit)
+        for place in worst
+        for hit in place.by
+        if hit is place.by[0] or (hit.by_falling and hit.probability.estimate >= TOLD)
+    ]
     reached = [each for each in reached if each[1].probability.estimate >= TOLD] or reached
-    if people.places and not any(first.by_falling for _, first in reached):
+    if people.places and not any(hit.by_falling for _, hit in reached):
         yield phrase("rooms.nobody_hit", often=often(people.hit.chance, next(cases)))
-    hitting = set[str]()
-    for place, first in reached:
-        values = {"piece": piece_within(first.piece), "place": _where_somebody_is(place.place)}
-        if not first.by_falling:
-            yield happens("rooms.touches", first.probability, **values)
-            continue
-        others = [hit for hit in place.by[1:] if hit.by_falling and hit.probability.estimate >= TOLD]
-        hitting |= {first.piece, *(hit.piece for hit in others)}
-        yield happens("rooms.falls_on", first.probability, **values, others=_so_do(others))
-    falling = [piece for piece in verdict.without.pieces if piece.falls and piece.name not in hitting]
+    for place, hit in reached:
+        values = {"piece": piece_within(hit.piece), "place": _where_somebody_is(place.place)}
+        key = "rooms.falls_on" if hit.by_falling else "rooms.touches"
+        yield happens(key, hit.probability, **values)
+    named = {hit.piece for _, hit in reached if hit.by_falling}
+    falling = [piece for piece in verdict.without.pieces if piece.falls and piece.name not in named]
     falling.sort(key=lambda piece: -piece.probabilities["overturned"].estimate)
     if falling:
         first, *others = falling
@@ -148,17 +149,6 @@ def _clauses(verdict: Verdict) -> Iterator[Phrase]:
         yield phrase("rooms.shut_in_already")
     elif shut is not None and shut.shut_in.estimate >= TOLD:
         yield happens("rooms.shut_in", shut.shut_in, place=_where_somebody_is(shut.place))
-
-
-def _so_do(hits: Sequence[HitVerdict]) -> Phrase:
-    """Return what other pieces fall on the same place and how often; empty where none does."""
-    if not hits:
-        return "", ""
-    each = (
-        phrase("rooms.other_piece", piece=piece_within(hit.piece), share=hit.probability.texts)
-        for hit in hits
-    )
-    return phrase("rooms.so_do_others", pieces=joined(each))
 
 
 def option_label(option: OptionVerdict, verdict: Verdict, language: str) -> str:

@@ -267,12 +267,9 @@ def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
         parts.append(contents_out(option, verdict))
         if (leaving := option.contents.leaving) is not None:
             middle, highest = length(leaving.height), length(leaving.highest)
-            if middle == highest:
-                shelves = phrase("verification.from_the_top", highest=highest)
-            else:
-                most = length_at_most(leaving.highest)
-                shelves = phrase("verification.from_shelves", height=middle, highest=most)
-            fast = rounded_up(leaving.fast, 0.01)
+            key = "verification.from_the_top" if middle == highest else "verification.from_shelves"
+            most, fast = length_at_most(leaving.highest), rounded_up(leaving.fast, 0.01)
+            shelves = phrase(key, height=middle, highest=highest, most=most)
             parts.append(phrase("verification.contents_leave", from_where=shelves, fast=fast))
     if shares[DEVICE_FAILED] >= OFTEN:
         parts.append(phrase("verification.device_fails", share=option.probabilities[DEVICE_FAILED].share))

@@ -39,6 +39,7 @@ SHEETS = ("canvas/plan.css", "room/plan.css", "room/card.css")
 
 def plan_html(plan: ActionPlan, language: str = "en") -> str:
     """Return a plan as a page to print that loads nothing from elsewhere, in "en" or "ja"."""
+    tell = partial(say, language=language)
     title, named = _own(language, "title"), plan.verdict.scenario.title
     sizes = sizes_of(plan)
     drawn = [step.fix for step in plan.steps if step.fix is not None]
@@ -48,7 +49,7 @@ def plan_html(plan: ActionPlan, language: str = "en") -> str:
     content = {
         **framed(language, "action_plan", f"{title} – {named}" if named else title, SHEETS),
         "name": named,
-        "sentences": [say(sentence, language) for sentence in _sentences(plan)],
+        "sentences": [*map(tell, _sentences(plan))],
         "letters": sizes.letters,
         "dense": sizes == SIZES[-1],
         "plan": drawing,
@@ -58,15 +59,12 @@ def plan_html(plan: ActionPlan, language: str = "en") -> str:
         "dead_end": _dead_end(plan, language),
         "checks": _checks(plan, language),
         "not_taken": [
-            (
-                say(step_words.capital(piece_name(name)), language),
-                say(step_words.sets_not_taken(reasons), language),
-            )
+            (tell(step_words.capital(piece_name(name))), tell(step_words.sets_not_taken(reasons)))
             for name, reasons in plan.not_taken.items()
         ],
         "rough": any(step.grade == max(MEANINGS) for step in plan.steps),
         "weakest": _weakest(plan, language),
-        "notes": [say(note, language) for note in _notes(plan)],
+        "notes": [*map(tell, _notes(plan))],
     }
     return rendered("room/card.html", content)
 
@@ -87,7 +85,7 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
         yield phrase(key, last=len(plan.steps), chances=then)
     harmless = falling is None and not any(was.estimate for _, was in chances.values())
     if harmless and together is None and not plan.unsolved and not plan.not_enough:
-        yield step_words.nothing_happened(people_in(verdict))
+        yield phrase("action_plan.nothing")
     if falling is not None:
         yield phrase("action_plan.falls", pieces=falling)
     in_place = [

@@ -153,11 +153,9 @@ def sections(verdict: Verdict, options: Sequence[OptionVerdict], language: str) 
     of_hits = "place", "piece", "how_often", "hit_speed", "hit_energy", "mass"
     of_doors = "door", "wall", "opens", "leads_out", "blocked"
     of_pieces = "piece", "overturned", "slid", "slide", *["piece_harm"] * somebody
-    fails = any(option.probabilities[DEVICE_FAILED].estimate for option in options)
-    of_effects = ("changed_hit", "changed_shut_in", "changed_overturned", "risk")
-    of_effects = of_effects if somebody else ("changed_overturned",)
-    of_changes = "change", "rank", *of_effects, *["device_failed"] * fails
-    changes = ((*_change(option, verdict, language), *_fails(option) * fails) for option in options)
+    effects = ("changed_hit", "changed_shut_in", "changed_overturned", "risk")
+    of_changes = "change", "rank", *(effects if somebody else effects[2:3]), "device_failed"
+    changes = (_change(option, verdict, language) for option in options)
 
     def of_people() -> Iterator[Section]:
         of_places = "place", "hit", "crushed", "touched", "by_day", "by_night"
@@ -183,17 +181,12 @@ def _change(option: OptionVerdict, verdict: Verdict, language: str) -> Row:
     change = partial(numbers.change, language=language)
     label = TableCell(verdict.label(option, language), clear, look)
     falls = "" if overturned is None else TableCell(overturned[0], change(overturned[1]))
-    rank = str(option.rank)
+    rank, failed = str(option.rank), option.probabilities[DEVICE_FAILED]
+    fails = TableCell(failed if failed.estimate else "")
     if not people.places:
-        return label, rank, falls
+        return label, rank, falls, fails
     hit, shut_in = (TableCell(each.chance, change(each.change)) for each in (people.hit, people.shut_in))
-    return label, rank, hit, shut_in, falls, TableCell(_risk(people))
-
-
-def _fails(option: OptionVerdict) -> tuple[TableCell]:
-    """Return how often a device fails; nothing where none does."""
-    failed = option.probabilities[DEVICE_FAILED]
-    return (TableCell(failed if failed.estimate else ""),)
+    return label, rank, hit, shut_in, falls, TableCell(_risk(people)), fails
 
 
 def simulations_of_room(verdict: Verdict, language: str) -> str:

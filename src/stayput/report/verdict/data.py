@@ -43,11 +43,7 @@ def room_csv(verdict: Verdict) -> str:
     Of a change, also what it brings, the probability with it less that of the room as it is, and its rank.
     """
     names = ("event", "of", "by", "probability", "low", "high", "change", "change_low", "change_high", "rank")
-    ranks = {verdict.label(option): option.rank for option in verdict.others}
-    rows = (
-        (event, of, by, *_ends(chance), *_ends(change), ranks[of] if event.endswith("_with") else None)
-        for event, of, by, chance, change in _rows(verdict)
-    )
+    rows = ((*texts, *_ends(chance), *_ends(change), rank) for *texts, chance, change, rank in _rows(verdict))
     return csv_text(names, rows)
 
 
@@ -104,29 +100,29 @@ def _ends(value: Probability | Difference | None) -> Iterable[float | None]:
     return (None,) * 3 if value is None else attributes(value, *_ENDS).values()
 
 
-def _rows(verdict: Verdict) -> Iterator[tuple[str, str, str, Probability, Difference | None]]:
+def _rows(verdict: Verdict) -> Iterator[tuple[str, str, str, Probability, Difference | None, int | None]]:
     people = people_in(verdict)
     for place in people.places:
         for event in ("hit", "crushed", "touched"):
-            yield event, place.place.name, "", getattr(place, event), None
+            yield event, place.place.name, "", getattr(place, event), None, None
         for hit in place.by:
             event = "hit" if hit.by_falling else "touched"
-            yield event, place.place.name, hit.piece, hit.probability, None
-        yield "shut_in", place.place.name, "", place.shut_in, None
+            yield event, place.place.name, hit.piece, hit.probability, None, None
+        yield "shut_in", place.place.name, "", place.shut_in, None, None
     for door in people.doors:
-        yield "blocked", door.door.name, "", door.blocked, None
+        yield "blocked", door.door.name, "", door.blocked, None, None
     for piece in pieces_in(verdict):
         for event, chance in piece.probabilities.items():
-            yield event, piece.name, "", chance, None
+            yield event, piece.name, "", chance, None, None
     for option in verdict.others:
         assert option.people is not None
         label = verdict.label(option)
         for event in ("hit", "shut_in") if people.places else ():
-            yield f"{event}_with", label, "", *getattr(option.people, event)
+            yield f"{event}_with", label, "", *getattr(option.people, event), option.rank
         if (overturned := piece_changed(option, verdict)) is not None:
-            yield "overturned_with", label, "", *overturned
+            yield "overturned_with", label, "", *overturned, option.rank
         if (failed := option.probabilities[DEVICE_FAILED]).estimate:
-            yield "device_failed_with", label, "", failed, None
+            yield "device_failed_with", label, "", failed, None, option.rank
 
 
 def plan_data(plan: ActionPlan) -> dict[str, Any]:
