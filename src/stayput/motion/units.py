@@ -1,7 +1,4 @@
-"""Units of acceleration and time steps: as a file's header states them, else as the caller gives them.
-
-What the headings of columns say of quantity, unit and factor stands here too.
-"""
+"""Units of acceleration and time steps, by the header of a file, by headings of columns or by the caller."""
 
 from __future__ import annotations
 
@@ -60,8 +57,7 @@ def unit_factor(unit: str) -> float:
     Parameters
     ----------
     unit : str
-        A name of `ACCELERATION_UNITS` in any spelling that is in use: ``cm/s2``, ``cm/s/s``,
-        ``CM/SEC/SEC``, ``gal(cm/s/s)``, ``m s^-2``, ...
+        A name of `ACCELERATION_UNITS` in any spelling in use: ``cm/s/s``, ``gal(cm/s/s)``, ``m s^-2``, ...
 
     Raises
     ------
@@ -94,7 +90,6 @@ _STATED = re.compile(
     re.IGNORECASE,
 )
 _STEP_TOLERANCE = 1e-4  # relative, of two time steps that are the same one, rounded to five digits or more
-
 _ROUNDING_OF_TIMES = 0.2  # error of a printed time, in time steps; a missing sample is one of 1
 _MOST_VARIATION = 0.01  # error of a time, as a share of the duration, where the sampling rate varies
 _SQUARED_SECONDS = r"(?:/s(?:ec)?(?:/s(?:ec)?|²|\^?2|\*\*2)|[ .·⋅]?s\^?[-−⁻][2²])"
@@ -114,8 +109,7 @@ _OTHER_MOTION = re.compile(
     rf"|(?<![0-9])(?<![0-9] )(?:{_VELOCITY_UNITS})(?![)\]]?[ :=]*[0-9]))|{_DISPLACEMENT_WORDS}"
     r"|(?<![a-z0-9])(?<![0-9] )(?:[cm]m|[(\[] ?m ?[)\]])(?! ?[./·⋅]? ?s|[a-z0-9^²*]|[)\]]?[ :=]*[0-9]))",
     re.IGNORECASE,
-)
-"""A quantity or its unit; a unit beside a number is that of something else, such as a depth."""
+)  # a unit beside a number is that of something else, such as a depth
 _ACCELERATION = re.compile(r"acc(?![a-z])|accel|aceler|beschleunig|加速度", re.IGNORECASE)
 _SPECTRUM = re.compile(r"(?:response|fourier|amplitude) spectr|(?:応答|フーリエ)スペクトル", re.IGNORECASE)
 _HISTORY = re.compile(r"accelero|histor|time[ -]series|match|compatible|時刻歴|波形|適合", re.IGNORECASE)
@@ -307,12 +301,12 @@ def time_step(stated: float | None, dt: float | None) -> float:
 
 
 def regular_step(time: NDArray[np.float64], *, varying: bool = False) -> float:
-    """Return the step of equally spaced times [s]; they may be rounded to a fifth of it.
+    """Return the step of two or more equally spaced times [s]; they may be rounded to a fifth of it.
 
     Parameters
     ----------
     time : ndarray, shape (n,)
-        Times [s], n ≥ 2.
+        Times [s].
     varying : bool
         Whether the mean step is taken where the sampling rate varies, as that of a phone's clock.
 
@@ -321,8 +315,7 @@ def regular_step(time: NDArray[np.float64], *, varying: bool = False) -> float:
     InputError
         The times do not grow, or not by equal steps.
     """
-    n = len(time)
-    step = float(time[-1] - time[0]) / (n - 1)
+    n, step = len(time), float(time[-1] - time[0]) / (len(time) - 1)
     error = np.abs(time - (time[0] + step * np.arange(n)))
     if not step > 0.0 or error.max() > _ROUNDING_OF_TIMES * step:
         steps = np.diff(time)
