@@ -95,7 +95,7 @@ def test_the_verdict_comes_bit_by_bit_and_is_stopped(browser: Browser, server: R
 def test_what_the_verdict_rests_on_is_told(it: Opened, judge: Judge) -> None:
     who = it.text("#who")
     assert "about 80 % (70 to 90 %)" in who
-    assert "0 % by day, about 80 % at night" in who
+    assert "0 % by day, about 80 % (70 to 90 %) at night" in who
     assert "200 kg" in who
     assert "5.9 m/s, in 10 % of the hits over 6.0 m/s" in who
     assert "1,310 J" in who

@@ -2,7 +2,7 @@
 
 import { bar } from "../bars.js";
 import { el, fill, part } from "../dom.js";
-import { both, chance, number, perCent, t } from "../words.js";
+import { both, chance, number, perCent, share, t } from "../words.js";
 import { capital, quantile } from "./amounts.js";
 import { kindName } from "./kinds.js";
 
@@ -93,7 +93,7 @@ function pieces(result) {
 function inTheWay({ changes, shut_in: now }, name) {
   const freed = changes.find((one) => one.what === name && one.better.includes("shut_in"));
   if (!freed) return "";
-  return t("inTheWay", { now: chance(now), then: chance(freed.shut_in), change: both(freed.label) });
+  return t("inTheWay", { now: share(now), then: share(freed.shut_in), change: both(freed.label) });
 }
 
 /** The pieces that overturn often without hitting anybody, with how often. */
@@ -102,6 +102,6 @@ export function fallingAlone({ pieces, places }) {
   return pieces
     .filter(({ name, falls }) => falls && !hitting.has(name))
     .map(({ name, probabilities: { overturned } }) =>
-      t("fallsOften", { piece: kindName("furniture", name), share: chance(overturned) }),
+      t("fallsOften", { piece: kindName("furniture", name), share: share(overturned) }),
     );
 }
