@@ -40,6 +40,7 @@ def runs():
         hits=np.stack([energy * 0.0, energy * 0.0 + 0.6, energy, energy * 0.0 + falls], axis=-1),
         blocked=np.zeros((10, 1, 0), np.bool_),
         shut_in=np.zeros((10, 1, 1), np.bool_),
+        tracks=np.empty((10, 1, 0), object),
     )
 
 
@@ -48,7 +49,6 @@ def test_crushed_is_within_hit_within_falls_and_a_nudge_only_touches(runs: Runs)
         3.0, 3.0, places=[PersonPlace("bed", (1.5, 1.5), width=1.0, length=2.0, low=0.3, high=0.8)]
     )
     people = people_of(runs, None, plan, PIECES, ([], [False]))
-    assert people is not None
     (place,) = people.places
     shares = [chance.estimate for chance in (place.crushed, place.hit, place.touched)]
     assert shares == [0.4, pytest.approx(0.6), 1.0]

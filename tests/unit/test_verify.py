@@ -6,9 +6,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 import stayput as sp
 from stayput.fragility.intensity_measures import JMA_INTENSITY, PGA
+from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESTED, RESULT
 from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED, Member, Quantiles, worst_of
 from stayput.montecarlo.runs import Runs
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws, rows_of
@@ -277,14 +279,35 @@ def test_quantiles_count_a_fall_as_infinite():
     assert Quantiles.of(few, np.zeros(8, bool)).p90 == 8.0
 
 
+def hand_made(overturned: NDArray[np.bool_], tilt: NDArray[np.float64]) -> Runs:
+    """Runs of a lone piece without devices, of which some overturn."""
+    none, nothing = np.zeros_like(overturned), np.empty((*overturned.shape, 0))
+    results = np.zeros((*overturned.shape, 1), RESULT)
+    results["outcome"] = np.where(overturned, OVERTURNED_OUTCOME, RESTED)[..., np.newaxis]
+    return Runs(
+        overturned=overturned,
+        missing=none,
+        hit_wall=none,
+        device_failed=none,
+        slide=0.0 * tilt,
+        tilt=tilt,
+        devices=nothing,
+        used=nothing,
+        masses=0.0 * tilt,
+        results=results,
+        hits=np.empty((*overturned.shape, 0, 1, 4)),
+        blocked=nothing.astype(bool),
+        shut_in=nothing.astype(bool),
+        tracks=nothing.astype(object),
+    )
+
+
 def test_the_typical_run_is_in_the_middle_and_the_worst_at_the_end():
     tilt = np.array([[0.1, 0.3], [0.2, 0.0]])
-    none = np.zeros((2, 2), bool)
-    nothing = np.empty((2, 2, 0))
-    runs = Runs(none, none, none, none, 0.0 * tilt, tilt, nothing, nothing, 0.0 * tilt)
+    runs = hand_made(np.zeros((2, 2), bool), tilt)
     assert worst_of(runs) == Member(0, 1)
     assert typical_of(runs) == Member(0, 0)
-    falls = replace(runs, overturned=np.array([[False, True], [False, False]]))
+    falls = hand_made(np.array([[False, True], [False, False]]), tilt)
     assert typical_of(falls) == Member(0, 0)  # as most do, it stands
     fails = replace(runs, device_failed=np.array([[False, False], [True, False]]))
     assert worst_of(fails) == Member(1, 0)
@@ -296,8 +319,7 @@ def test_the_typical_run_is_in_the_middle_and_the_worst_at_the_end():
 
 def test_the_typical_draw_is_so_without_and_with_a_measure():
     fell = np.array([[True, True], [True, False]]), np.array([[True, False], [False, False]])
-    none, nothing = np.zeros((2, 2), bool), np.empty((2, 2, 0))
-    bare, held = (Runs(of, none, none, none, 0.0 * of, 0.1 * of, nothing, nothing, 0.0 * of) for of in fell)
+    bare, held = (hand_made(of, 0.1 * of) for of in fell)
     assert typical_of(bare, held) in (Member(0, 1), Member(1, 0))  # falls, and is held
 
 

@@ -58,7 +58,6 @@ def test_a_bookcase_has_the_same_runs_to_the_bit_wherever_nothing_else_reaches_i
         scenario = sp.Scenario.parse({**SHAKEN, **tables, **stated})
         option = Option("held", (measures, *((),) * (len(scenario.names) - 1)))
         (runs,) = Contest(scenario, 0.1, 2).run([option], 2)
-        assert runs.results is not None
         results.append(runs.results[..., 0])
         used.append(runs.used)
     assert len(np.unique(results[0]["peak_tilt"])) == results[0].size  # each draw is another

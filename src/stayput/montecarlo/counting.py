@@ -62,19 +62,14 @@ class Outcomes:
     tilt: NDArray[np.float64]
 
     @classmethod
-    def of(
-        cls, results: NDArray[np.void], device_failed: NDArray[np.bool_], free_slide: float = 0.0
-    ) -> Outcomes:
-        """Return the outcomes of results, and of whether a device failed, of shape (motions, samples).
-
-        ``free_slide`` is how far measures are made to let the piece slide [m].
-        """
+    def of(cls, results: NDArray[np.void], device_failed: NDArray[np.bool_]) -> Outcomes:
+        """Return the outcomes of results, and of whether a device failed, of shape (motions, samples)."""
         return Outcomes(
             overturned=results["outcome"] == OVERTURNED_OUTCOME,
             missing=results["outcome"] == FAILED_OUTCOME,
             hit_wall=results["wall_impacts"] > 0,
             device_failed=device_failed,
-            slide=np.maximum(results["peak_slide"] - free_slide, 0.0),
+            slide=results["peak_slide"],
             tilt=results["peak_tilt"],
         )
 
@@ -90,8 +85,7 @@ class Outcomes:
         if len(parts) == 1:
             return parts[0]
         columns = {field.name: [getattr(part, field.name) for part in parts] for field in fields(cls)}
-        stated = {name: values for name, values in columns.items() if values[0] is not None}
-        return cls(**{name: np.concatenate(values, axis=1) for name, values in stated.items()})
+        return cls(**{name: np.concatenate(values, axis=1) for name, values in columns.items()})
 
     def probability_of_overturning(self) -> Probability:
         """Return the probability of overturning."""

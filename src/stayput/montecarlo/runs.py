@@ -13,7 +13,7 @@ from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from stayput.measures.element import failed, utilisation
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
@@ -38,29 +38,27 @@ class Runs(Outcomes):
         Utilisation of each device: its largest peak force over its strength.
     masses : ndarray, shape (motions, samples)
         By what forces are multiplied: the mass of the body [kg], or 1 where they are in newtons.
-    results : ndarray of RESULT, shape (motions, samples, bodies), optional
-        What became of each of several pieces; of those that count together any overturned or hit a wall, and
-        slide and tilt are the largest of theirs.
-    hits, blocked, shut_in : ndarray, optional
-        What happened in a room with a plan, by motion and sample; see `stayput.montecarlo.scenes.Seen`.
-    tracks : ndarray of Track, shape (motions, samples, bodies), optional
-        Where each piece was, where that was kept.
+    results : ndarray of RESULT, shape (motions, samples, bodies)
+        What became of each piece; of those that count together any overturned or hit a wall, and slide and
+        tilt are the largest of theirs.
+    hits, blocked, shut_in : ndarray
+        What happened in a room by motion and sample, to nobody and no door where it has no plan; see
+        `stayput.montecarlo.scenes.Seen`.
+    tracks : ndarray of Track, shape (motions, samples, bodies)
+        Where each piece was; of no body where that was not kept.
     """
 
     devices: NDArray[np.void]
     used: NDArray[np.float64]
     masses: NDArray[np.float64]
-    results: NDArray[np.void] | None = None
-    hits: NDArray[np.float64] | None = None
-    blocked: NDArray[np.bool_] | None = None
-    shut_in: NDArray[np.bool_] | None = None
-    tracks: NDArray[np.object_] | None = None
+    results: NDArray[np.void]
+    hits: NDArray[np.float64]
+    blocked: NDArray[np.bool_]
+    shut_in: NDArray[np.bool_]
+    tracks: NDArray[np.object_]
 
     def of_bodies(self) -> Iterator[Outcomes]:
         """Yield the outcomes of each of the pieces."""
-        if self.results is None:
-            yield self
-            return
         for results in np.moveaxis(self.results, -1, 0):
             yield Outcomes.of(results, self.device_failed)
 
@@ -135,15 +133,26 @@ def _runs(
     rows: Rows, results: NDArray[np.void], devices: NDArray[np.void], broken: NDArray[np.bool_], motions: int
 ) -> Runs:
     shape = (motions, len(results) // motions)
-    count = rows.elements.shape[1]
+    count, nothing = rows.elements.shape[1], np.zeros((*shape, 0), np.bool_)
     used = utilisation(rows.elements, devices[:, :count])
-    outcomes = Outcomes.of(results.reshape(shape), broken.reshape(shape), rows.free_slide)
+    without_free_slide(results, rows.free_slide)
+    outcomes = Outcomes.of(results.reshape(shape), broken.reshape(shape))
     return Runs(
         **{field.name: getattr(outcomes, field.name) for field in fields(Outcomes)},
         devices=devices[:, :count].reshape((*shape, count)),
         used=used.reshape((*shape, count)),
         masses=rows.masses.reshape(shape),
+        results=results.reshape((*shape, 1)),
+        hits=np.zeros((*shape, 0, 1, 4)),
+        blocked=nothing,
+        shut_in=nothing,
+        tracks=nothing.astype(object),
     )
+
+
+def without_free_slide(results: NDArray[np.void], free_slide: ArrayLike) -> None:
+    """Take off the slides of results how far measures are made to let the pieces slide [m]."""
+    results["peak_slide"] = np.maximum(results["peak_slide"] - free_slide, 0.0)
 
 
 def run_prepared(rows: Sequence[Rows], floor: PreparedFloor) -> list[Outcomes]:
@@ -169,8 +178,9 @@ def run_prepared(rows: Sequence[Rows], floor: PreparedFloor) -> list[Outcomes]:
         result, devices = run_rows(motion_cases, motion_elements, shaking)
         results.append(result.reshape(len(rows), -1))
         broken.append((failed(motion_elements, devices).sum(axis=-1) > 0).reshape(len(rows), -1))
-    together = zip(rows, np.stack(results, axis=1), np.stack(broken, axis=1), strict=True)
-    return [Outcomes.of(result, bad, piece_rows.free_slide) for piece_rows, result, bad in together]
+    of_pieces = np.stack(results, axis=1)
+    without_free_slide(of_pieces, np.array([piece_rows.free_slide for piece_rows in rows])[:, None, None])
+    return [Outcomes.of(*each) for each in zip(of_pieces, np.stack(broken, axis=1), strict=True)]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

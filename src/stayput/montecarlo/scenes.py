@@ -7,7 +7,8 @@ option that leaves it as it is.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Sequence
+from copy import copy
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
@@ -19,7 +20,7 @@ from stayput.execution import Pool
 from stayput.measures.element import utilisation
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import HOLDS
-from stayput.montecarlo.runs import Runs
+from stayput.montecarlo.runs import Runs, without_free_slide
 from stayput.montecarlo.sampling import drawn_floor
 from stayput.montecarlo.scene_draws import DrawOfSeveral, drawn_scene, drawn_shaking
 from stayput.simulation.groups import Group, Track, groups_at_first, run_in_groups
@@ -102,7 +103,7 @@ class SceneRunner:
         As many as there are cores by default. The bits do not depend on them.
     advance : callable
         Called with the number of runs just done; an exception that it raises stops the work.
-    watch : callable, optional
+    watch : callable
         What looks at the runs of a room with a plan.
     initial : State, optional
         The initial state of a lone piece; at rest by default.
@@ -119,7 +120,7 @@ class SceneRunner:
         *,
         threads: int | None = None,
         advance: Callable[[int], None] = lambda _runs: None,
-        watch: Watch | None = None,
+        watch: Watch,
         initial: State | None = None,
         known: KnownRuns | None = None,
     ) -> None:
@@ -130,17 +131,8 @@ class SceneRunner:
 
     def under(self, floors: FloorMotions, advance: Callable[[int], None] | None = None) -> SceneRunner:
         """Return the same under other motions, which knows of no run yet; another ``advance`` if given."""
-        runner = SceneRunner(
-            self._drawn,
-            floors,
-            self._gravity,
-            self._counted,
-            threads=self.threads,
-            advance=advance or self.advance,
-            watch=self._watch,
-            initial=self._initial,
-        )
-        runner._draws = self._draws
+        runner = copy(self)  # with the same draws
+        runner.floors, runner.advance, runner._known = floors, advance or self.advance, {}
         return runner
 
     def draw(self, motion: int, sample: int) -> DrawOfSeveral:
@@ -170,11 +162,14 @@ class SceneRunner:
         """
         shape = len(self.floors.motions), samples
         parts = [_Parts(scene) for scene in scenes]
-        ran: dict[tuple[int, int], list[tuple[dict[Group, GroupRun], Seen | None]]] = {}
+        ran: dict[tuple[int, int], list[tuple[dict[Group, GroupRun], Seen]]] = {}
         self.draw(0, start + samples - 1)  # all are drawn before threads ask for them
 
         def run(motion: int, sample: int) -> None:
-            ran[motion, sample] = [*self._members(parts, motion, start + sample)]
+            shaking, ran[motion, sample] = self.shaking(motion, start + sample), []
+            for of in parts:
+                groups = self._groups(of, motion, start + sample, shaking)
+                ran[motion, sample].append((groups, self._seen(of, groups)))
 
         with Pool(self.threads) as pool:
             for _ in pool.as_completed(partial(run, *place) for place in np.ndindex(*shape)):
@@ -267,7 +262,7 @@ class SceneRunner:
         (part, called, key), known = of.part(group), self._known.setdefault((motion, sample), {})
         if (key, lies) not in known:
             draw = self.draw(motion, sample).of(group)
-            reached = len(of.at_first) > 1 or self._watch is not None
+            reached = len(of.at_first) > 1 or of.scene.plan is not None
             traced = trace_draw(part, draw, shaking, self._gravity, called, self._initial, lies=lies)
             ran = _group_run(traced, shaking, tracked=reached)
             if FAILED_OUTCOME in ran.results["outcome"]:  # as those are that an exception has cut off
@@ -275,18 +270,15 @@ class SceneRunner:
             known[key, lies] = ran
         return known[key, lies]
 
-    def _members(
-        self, parts: Sequence[_Parts], motion: int, sample: int
-    ) -> Generator[tuple[dict[Group, GroupRun], Seen | None]]:
-        """Yield the runs of all scenes under one draw."""
-        shaking = self.shaking(motion, sample)
-        for of in parts:
-            groups, seen = self._groups(of, motion, sample, shaking), None
-            if self._watch is not None and of.scene.plan is not None:
-                each = [pair for group in groups for pair in zip(group, groups[group].tracks, strict=True)]
-                in_order = sorted(each, key=lambda pair: pair[0])
-                seen = self._watch(of.scene.plan, [track for _, track in in_order])
-            yield groups, seen
+    def _seen(self, of: _Parts, groups: dict[Group, GroupRun]) -> Seen:
+        """Return what happened in the room in the runs of the groups of a scene."""
+        if of.scene.plan is None:
+            nothing = np.zeros(0, np.bool_)
+            return Seen(np.zeros((0, len(of.scene.pieces), 4)), nothing, nothing)
+        tracks = dict[int, Track]()
+        for group, ran in groups.items():
+            tracks |= zip(group, ran.tracks, strict=True)
+        return self._watch(of.scene.plan, [tracks[body] for body in sorted(tracks)])
 
 
 class _Parts:
@@ -314,7 +306,7 @@ def _group_run(traced: Trace, shaking: SpaceShaking, *, tracked: bool) -> GroupR
     tracks = traced.tracks(shaking.dt) if tracked else [None] * len(traced.bodies)
     results = results_of(traced, shaking.times)
     free = [0.0 if body.held is None else body.held.free_slide for body in traced.bodies]
-    results["peak_slide"] = np.maximum(results["peak_slide"] - free, 0.0)
+    without_free_slide(results, free)
     return GroupRun(results, devices, tracks)
 
 
@@ -365,7 +357,7 @@ def replay(
 
 
 def _runs(
-    members: Sequence[tuple[dict[Group, GroupRun], Seen | None]],
+    members: Sequence[tuple[dict[Group, GroupRun], Seen]],
     shape: tuple[int, int],
     scene: Scene,
     counted: list[int],
@@ -389,8 +381,8 @@ def _runs(
         held = *map(of_pieces.__getitem__, range(count)), *map(of_joints.__getitem__, sorted(of_joints))
         columns.append([np.concatenate(column) for column in zip(*held, strict=True)])
     devices, used = (np.array(column).reshape(*shape, -1) for column in zip(*columns, strict=True))
-    seen = [seen for _, seen in members if seen is not None]
-    watched = [np.array(column).reshape(*shape, *np.shape(column[0])) for column in zip(*seen, strict=True)]
+    seen = zip(*(seen for _, seen in members), strict=True)
+    watched = [np.array(column).reshape(*shape, *np.shape(column[0])) for column in seen]
     counted_results = results[..., counted]
     return Runs(
         overturned=(counted_results["outcome"] == OVERTURNED_OUTCOME).any(axis=-1),
@@ -403,6 +395,6 @@ def _runs(
         used=used,
         masses=np.ones(shape),
         results=results,
-        **dict(zip(Seen._fields, watched, strict=False)),
-        tracks=tracks if keep else None,
+        **dict(zip(Seen._fields, watched, strict=True)),
+        tracks=tracks if keep else tracks[..., :0],
     )

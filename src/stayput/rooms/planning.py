@@ -39,12 +39,12 @@ from stayput.rooms.steps import (
 )
 from stayput.simulation.groups import groups_at_first
 from stayput.simulation.placing import placed
-from stayput.verification.changes import Change, measures_for, with_changes
+from stayput.verification.changes import Change, measures_for, refuse_unheld, with_changes
 from stayput.verification.compare import option_verdict
 from stayput.verification.contest import Contest
 from stayput.verification.options import TRIED, compared_options, inputs_of_piece
 from stayput.verification.people import hits_in
-from stayput.verification.search import falling_pieces, harmful_pieces, held, moves_of
+from stayput.verification.search import falling_pieces, harmful_pieces, moves_of
 from stayput.verification.verdict import OptionVerdict, Verdict
 
 if TYPE_CHECKING:
@@ -165,7 +165,7 @@ class _Planner:
         self.scene = contest.scene(self.base)
         self.group_of = {body: group for group in groups_at_first(self.scene) for body in group}
         struck = np.flatnonzero(hits_in(self.runs).any(axis=(0, 1, 2))).tolist()
-        self.harmful = {*struck} | harmful_pieces(contest, self.scene, self.runs)
+        self.harmful = {*struck} | harmful_pieces(contest, self.base, self.runs)
         self.falling = falling_pieces(self.runs)
         self.drilled: dict[str, Fix] = {}
         self.not_enough: dict[str, Fix] = {}
@@ -256,7 +256,7 @@ class _Planner:
         if self.decisions.moves:
             return self.decisions.moves
         may_move = self.harmful - set(self.decisions.measures)
-        moves = [*moves_of(self.contest, self.scene, self.runs, may_move)]
+        moves = [*moves_of(self.contest, self.base, self.runs, may_move)]
         helping = [move for move in moves if self._effect([move]).helps]
         return (min(helping, key=lambda move: in_order_of_gain(self._effect([move]))),) if helping else ()
 
@@ -365,7 +365,7 @@ class _Planner:
             if (why := measure.advised_against(room)) is not None:
                 return why
         try:
-            held(self.contest, self._with([*moves, *self._on(body, measures)]), body)
+            refuse_unheld(self.contest.scene(self._with([*moves, *self._on(body, measures)])), body)
         except InputError as error:
             sentence = error.told("en").removesuffix("."), error.told("ja").removesuffix("。")
             return phrase("action_plan.not_possible", why=sentence)

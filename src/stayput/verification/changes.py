@@ -220,8 +220,7 @@ def loose_pieces(scenario: Scenario) -> set[int]:
 
 def measures_for(kinds: Sequence[str], scene: Scene, body: int) -> tuple[Measure, ...]:
     """Return measures as they are tried on a piece: on a wall with studs no more than one device on each."""
-    assert scene.plan is not None
-    on_studs = scene.plan.walls == "stud"
+    on_studs = scene.plan is not None and scene.plan.walls == "stud"
     most = most_on_studs(scene.pieces[body].body.length or 0.0)
     measures = (MEASURES[kind]() for kind in kinds)
     return tuple(

@@ -25,6 +25,7 @@ from stayput.montecarlo.sampling import FIRST_SAMPLES, Settings, sample_until_pr
 from stayput.montecarlo.scaled_motions import FloorMotions, ScaledMotions
 from stayput.motion.intensity import INTENSITY_RANGE
 from stayput.progress import tally
+from stayput.simulation.groups import at_rest
 from stayput.simulation.placing import JOINT
 from stayput.verification.contents import ContentsVerdict, contents_verdicts
 from stayput.verification.contest import Contest
@@ -263,17 +264,18 @@ def option_verdict(
         How many options are compared with what is without.
     """
     limit, scenario = contest.settings.slide_limit, contest.scenario
-    held = contest.held_by(option)
+    held, failed = contest.held_by(option), runs.devices["failure"] != HOLDS
     each = [
-        replace(outcomes, device_failed=_failed(runs, [name in pieces for pieces, _ in held]))
+        replace(outcomes, device_failed=failed[..., [name in pieces for pieces, _ in held]].any(axis=-1))
         for name, outcomes in zip(scenario.names, runs.of_bodies(), strict=True)
     ]
     of_bare = [None] * len(each) if bare is None else [*bare.of_bodies()]
     people, zones, harm = None, [None] * len(each), [0.0] * len(each)
-    if (plan := contest.plan(option)) is not None and contest.watcher is not None:
-        pieces = contest.scene(option).pieces
+    if scenario.plan is not None:
+        plan, pieces = contest.plan(option), contest.scene(option).pieces
         masses = [(name, piece.body.mass) for name, piece in zip(scenario.names, pieces, strict=True)]
-        people = people_of(runs, bare, plan, masses, contest.at_rest(option))
+        ends = contest.watcher.ends(plan, [at_rest(piece) for piece in pieces])
+        people = people_of(runs, bare, plan, masses, ends)
         harm = [harm_of(hardest(runs, [n]), plan.places, runs.missing) for n in range(len(each))]
         zones = zones_of(runs, pieces, contest.watcher, plan)
 
@@ -313,11 +315,6 @@ def option_verdict(
         capacities={},
         people=people,
     )
-
-
-def _failed(runs: Runs, chosen: Sequence[bool]) -> NDArray[np.bool_]:
-    """Return in which runs any of the chosen devices failed, shape (motions, samples)."""
-    return (runs.devices["failure"][..., np.flatnonzero(chosen)] != HOLDS).any(axis=-1)
 
 
 def device_summary(

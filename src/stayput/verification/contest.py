@@ -19,7 +19,6 @@ from stayput.montecarlo.scene_draws import draws_of_scenario
 from stayput.montecarlo.scenes import KnownRuns, SceneRunner, replay
 from stayput.motion.suites.suite import Suite
 from stayput.simulation.case import Case, run_of
-from stayput.simulation.groups import at_rest
 from stayput.simulation.placing import placed
 from stayput.simulation.space import warn_of_settlement
 from stayput.verification.events import Watcher
@@ -133,7 +132,7 @@ class Contest:
         The motions at the shaking that the scenario states.
     settings : Settings
         Of the draws.
-    watcher : Watcher or None
+    watcher : Watcher
         Who looks at the runs of a room with a plan.
     """
 
@@ -151,10 +150,9 @@ class Contest:
         self.scaled_motions = scaled_motions or ScaledMotions.of(scenario)
         self.floors = self.scaled_motions.stated_by(scenario, threads, times)
         self.settings = Settings.of(scenario, len(self.floors.motions), slide_limit)
-        self.watcher = None if scenario.plan is None else Watcher()
+        self.watcher = Watcher()
         self._last: tuple[object, list[Rows]] = None, []
         self._scenes: dict[int, tuple[Option, Scene]] = {}
-        self._held: dict[int, tuple[Option, HeldBy]] = {}
         self.runner = SceneRunner(
             partial(draws_of_scenario, scenario, self.settings.motions),
             self.floors,
@@ -164,7 +162,7 @@ class Contest:
             advance=advance,
             watch=self.watcher,
             initial=scenario.initial.state(),
-            known=None if self.watcher is None or times != 1.0 else _known_runs(scenario, self.floors),
+            known=None if scenario.plan is None or times != 1.0 else _known_runs(scenario, self.floors),
         )
 
     @property
@@ -182,25 +180,14 @@ class Contest:
             known = self._scenes[id(option)] = option, scene
         return known[1]
 
-    def plan(self, option: Option) -> FloorPlan | None:
-        """Return the plan of the room with an option, where it has one."""
-        return None if self.scenario.plan is None else self.scene(option).plan
-
-    def at_rest(self, option: Option) -> tuple[list[bool], list[bool]]:
-        """Return which doors are blocked and who is shut in as the furniture stands with an option."""
-        scene = self.scene(option)
-        if self.watcher is None or scene.plan is None:
-            return [], []
-        return self.watcher.ends(scene.plan, [at_rest(piece) for piece in scene.pieces])
+    def plan(self, option: Option) -> FloorPlan:
+        """Return the plan of a room with an option."""
+        plan = self.scene(option).plan
+        assert plan is not None
+        return plan
 
     def held_by(self, option: Option) -> HeldBy:
         """Return what holds the pieces of an option, in the order of the devices of its runs."""
-        known = self._held.get(id(option))
-        if known is None:
-            known = self._held[id(option)] = option, self._devices(option)
-        return known[1]
-
-    def _devices(self, option: Option) -> HeldBy:
         scenario = self.scenario
         if self.in_plane:
             held = hold(scenario.piece.body(), scenario.room.room(), option.measures)

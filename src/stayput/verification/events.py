@@ -315,11 +315,9 @@ class Watcher:
 
     def covered_by(self, ways: Ways, track: Track) -> NDArray[np.bool_]:
         """Return which cells of the floor a piece covers at the end of a run, shape (nx, ny)."""
-        known = self._covered.get(id(track))
-        if known is None:  # the track is kept with it, so that the id stays its own
-            known = track, ways.covered([track.outline(len(track.sample) - 1)])
-            self._covered[id(track)] = known
-        return known[1]
+        if id(track) not in self._covered:  # the track is kept with it, so that the id stays its own
+            self._covered[id(track)] = track, ways.covered([track.outline(len(track.sample) - 1)])
+        return self._covered[id(track)][1]
 
     def _contact(self, track: Track, place: PersonPlace) -> RoomContact | None:
         key = id(track), place
@@ -347,7 +345,7 @@ class Zones(NamedTuple):
 
 def zones_of(runs: Runs, pieces: Sequence[Piece], watcher: Watcher, plan: FloorPlan) -> list[Zones | None]:
     """Return where each piece ends in runs; None where its tracks were not kept."""
-    if runs.tracks is None or runs.results is None:
+    if not runs.tracks.size:
         return [None] * len(pieces)
     _, ways = watcher.ways(plan)
     zones: list[Zones | None] = []

@@ -189,14 +189,11 @@ def presence(place: PersonPlace) -> float:
 
 def contacts_in(runs: Runs) -> NDArray[np.bool_]:
     """Return which places which pieces come to, shape (motions, samples, places, pieces)."""
-    assert runs.hits is not None
     return ~np.isnan(runs.hits[..., 0])
 
 
 def hits_in(runs: Runs) -> NDArray[np.bool_]:
     """Return which places are hit by which falling pieces, shape (motions, samples, places, pieces)."""
-    assert runs.results is not None
-    assert runs.hits is not None
     fell: NDArray[np.bool_] = runs.results["outcome"] == OVERTURNED_OUTCOME
     return (runs.hits[..., FALLS] == 1.0) & fell[:, :, np.newaxis]
 
@@ -213,8 +210,6 @@ def events_at_places(runs: Runs) -> dict[str, NDArray[np.bool_]]:
 
 def events_of(runs: Runs) -> dict[str, NDArray[np.bool_]]:
     """Return whether it happens to anybody, and to any door: each of shape (motions, samples)."""
-    assert runs.shut_in is not None
-    assert runs.blocked is not None
     ways = {"shut_in": runs.shut_in, "blocked": runs.blocked}
     return {name: np.any(flags, axis=2) for name, flags in (events_at_places(runs) | ways).items()}
 
@@ -253,7 +248,6 @@ def harm_of(energy: NDArray[np.float64], places: Sequence[PersonPlace], missing:
 
 def hardest(runs: Runs, pieces: Sequence[int] | None = None) -> NDArray[np.float64]:
     """Return the energy of what hits each place hardest, of some or all pieces; 0 where nothing does [J]."""
-    assert runs.hits is not None
     energy = np.where(hits_in(runs), runs.hits[..., ENERGY], 0.0)
     chosen = energy if pieces is None else energy[..., list(pieces)]
     return chosen.max(axis=-1, initial=0.0)
@@ -265,8 +259,8 @@ def people_of(
     plan: FloorPlan,
     pieces: Sequence[tuple[str, float]],
     at_rest: tuple[Sequence[bool], Sequence[bool]],
-) -> People | None:
-    """Return what happens to people with an option; None where nobody looked.
+) -> People:
+    """Return what happens to people with an option.
 
     Parameters
     ----------
@@ -279,11 +273,9 @@ def people_of(
     at_rest : tuple of sequence of bool
         Which doors are blocked and who is shut in as the furniture stands.
     """
-    if runs.hits is None or runs.blocked is None or runs.shut_in is None:
-        return None
     at_places, then, missing = events_at_places(runs), events_of(runs), runs.missing
     outlooks = {name: Outlook(probability(flags, missing), None) for name, flags in then.items()}
-    if bare is not None and bare.hits is not None:
+    if bare is not None:
         now, both = events_of(bare), missing | bare.missing
         outlooks = {
             name: Outlook(outlook.chance, difference(then[name], now[name], both))
@@ -309,7 +301,6 @@ def people_of(
 
 
 def _by(runs: Runs, place: int, pieces: Sequence[tuple[str, float]]) -> tuple[HitVerdict, ...]:
-    assert runs.hits is not None
     hits, contacts, verdicts = hits_in(runs), contacts_in(runs), list[HitVerdict]()
     for body, (name, mass) in enumerate(pieces):
         for by_falling, all_of_them in ((True, hits), (False, contacts & ~hits)):
@@ -335,10 +326,8 @@ def typical_of(*each: Runs) -> Member:
     """
     flags: list[NDArray[np.bool_]] = []
     for runs in each:
-        of_pieces = None if runs.results is None else runs.results["outcome"] == OVERTURNED_OUTCOME
-        flags.append(runs.overturned[..., np.newaxis] if of_pieces is None else of_pieces)
-        if runs.hits is not None and runs.blocked is not None and runs.shut_in is not None:
-            flags += [hits_in(runs).reshape(*runs.missing.shape, -1), runs.blocked, runs.shut_in]
+        hits = hits_in(runs).reshape(*runs.missing.shape, -1)
+        flags += [runs.results["outcome"] == OVERTURNED_OUTCOME, hits, runs.blocked, runs.shut_in]
     happens, missing = np.concatenate(flags, axis=2), np.any([runs.missing for runs in each], axis=0)
     if missing.all():
         return Member(0, 0)

@@ -55,7 +55,7 @@ def ranks_of(verdicts: Sequence[OptionVerdict], outcomes: Sequence[Runs], limit:
     def changes(first: int, second: int) -> Iterator[Difference]:
         now, then = outcomes[first], outcomes[second]
         change = partial(difference, missing=now.missing | then.missing, comparisons=others)
-        if now.hits is not None:
+        if verdicts[first].people is not None:
             events = events_of(now), events_of(then)
             yield from (change(*(each[name] for each in events)) for name in DECIDING_EVENTS)
         yield change(now.overturned, then.overturned)

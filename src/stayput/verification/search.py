@@ -27,7 +27,6 @@ if TYPE_CHECKING:
     from stayput.montecarlo.runs import Runs
     from stayput.scenario.measures import Option
     from stayput.simulation.piece import Piece
-    from stayput.simulation.scene import Scene
     from stayput.verification.contest import Contest
     from stayput.verification.events import Ways
 
@@ -52,11 +51,9 @@ def tried_options(contest: Contest, base: Option, runs: Runs) -> Iterator[Option
     runs : Runs
         Its runs, with their tracks.
     """
-    scenario, names, scene = contest.scenario, contest.scenario.names, contest.scene(base)
-    plan = scene.plan
-    assert plan is not None
-    harmful, falling = harmful_pieces(contest, scene, runs), falling_pieces(runs)
-    for change in moves_of(contest, scene, runs, harmful):
+    scenario, names, plan = contest.scenario, contest.scenario.names, contest.plan(base)
+    harmful, falling = harmful_pieces(contest, base, runs), falling_pieces(runs)
+    for change in moves_of(contest, base, runs, harmful):
         contest.advance(0)  # who has left may end it here
         yield changes.with_changes(base, [change], names)
 
@@ -66,22 +63,11 @@ def tried_options(contest: Contest, base: Option, runs: Runs) -> Iterator[Option
     chances = overturning(runs)
     for body in sorted(harmful | falling, key=key, reverse=True):
         for kind in TRIED_ALONE if scenario.pieces[body].is_furniture else ():
-            (measure,) = changes.measures_for((kind,), scene, body)
+            (measure,) = changes.measures_for((kind,), contest.scene(base), body)
             option = changes.with_changes(base, [changes.Change(names[body], measure)], names)
             with suppress(InputError):  # it cannot be put there
-                yield held(contest, option, body)
-
-
-def held(contest: Contest, option: Option, body: int) -> Option:
-    """Return an option whose measures on a piece can be put in place.
-
-    Raises
-    ------
-    InputError
-        They cannot be.
-    """
-    changes.refuse_unheld(contest.scene(option), body)
-    return option
+                changes.refuse_unheld(contest.scene(option), body)
+                yield option
 
 
 def overturning(runs: Runs) -> list[float]:
@@ -94,14 +80,9 @@ def falling_pieces(runs: Runs) -> set[int]:
     return {body for body, chance in enumerate(overturning(runs)) if chance >= MAY_FALL_FROM}
 
 
-def harmful_pieces(contest: Contest, scene: Scene, runs: Runs) -> set[int]:
+def harmful_pieces(contest: Contest, option: Option, runs: Runs) -> set[int]:
     """Return the pieces without which fewer would be hit or shut in, or fewer doors blocked."""
-    plan, watcher, count = scene.plan, contest.watcher, len(scene.pieces)
-    assert plan is not None
-    assert watcher is not None
-    assert runs.tracks is not None
-    assert runs.blocked is not None
-    assert runs.shut_in is not None
+    plan, count = contest.plan(option), len(contest.scenario.names)
     harmful: set[int] = set()
     hit, blocked = hits_in(runs), int(runs.blocked.sum() + runs.shut_in.sum())
     risk = risk_of(np.any(hit, axis=3), plan.places, runs.missing)
@@ -110,7 +91,7 @@ def harmful_pieces(contest: Contest, scene: Scene, runs: Runs) -> set[int]:
         less = risk_of(np.any(hit[..., others], axis=3), plan.places, runs.missing) < risk
         if not less and blocked:
             each = runs.tracks[..., others].reshape(-1, count - 1).tolist()
-            ends = (watcher.ends(plan, tracks) for tracks in each)
+            ends = (contest.watcher.ends(plan, tracks) for tracks in each)
             less = sum(sum(doors) + sum(people) for doors, people in ends) < blocked
         if less:
             harmful.add(body)
@@ -118,7 +99,7 @@ def harmful_pieces(contest: Contest, scene: Scene, runs: Runs) -> set[int]:
 
 
 def moves_of(
-    contest: Contest, scene: Scene, runs: Runs, harmful: Collection[int]
+    contest: Contest, option: Option, runs: Runs, harmful: Collection[int]
 ) -> Iterator[changes.Change]:
     """Yield the best spot for each place at which somebody is hit, and for harmful pieces at each wall.
 
@@ -126,27 +107,21 @@ def moves_of(
     ----------
     contest : Contest
         The room's motions and draws.
-    scene : Scene
+    option : Option
         The room as it is.
     runs : Runs
         Its runs, with their tracks.
     harmful : collection of int
         The pieces that may be moved.
     """
-    scenario, plan, watcher, tracks = contest.scenario, scene.plan, contest.watcher, runs.tracks
-    assert plan is not None
-    assert watcher is not None
-    assert tracks is not None
-    _, ways = watcher.ways(plan)
+    scenario, scene, plan, tracks = contest.scenario, contest.scene(option), contest.plan(option), runs.tracks
+    _, ways = contest.watcher.ways(plan)
     floor, hit = changes.FreeFloor(plan, scene.pieces), hits_in(runs)
     outlines = [[reach(track) for track in tracks[..., body].ravel()] for body in range(len(scene.pieces))]
     struck = np.flatnonzero(hit.any(axis=(0, 1, 3))).tolist()
-    over = np.any([swept(ways, of_piece) for of_piece in outlines], axis=0) if struck else None
-    for number in struck:
-        assert over is not None
-        other = _best_place(
-            plan.places[number], changes.other_places(plan.places[number], floor), over, contest, ways
-        )
+    over: NDArray[np.bool_] = np.any([swept(ways, of_piece) for of_piece in outlines], axis=0)
+    for place in (plan.places[number] for number in struck):
+        other = _best_place(place, changes.other_places(place, floor), over, contest, ways)
         if other is not None:
             yield changes.Change(other.name, at=other.at, heading=other.heading)
     cells = [ways.cells(place.corners) for place in plan.places]
