@@ -11,6 +11,7 @@ from collections.abc import Callable, Collection, Generator, Iterable, Mapping, 
 from contextlib import contextmanager
 from contextvars import ContextVar
 from difflib import get_close_matches
+from functools import partial
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any, Self, TypeVar
 from unicodedata import normalize
@@ -170,13 +171,7 @@ class _Told:
         return self.rewritten(lambda text: text.replace(old, new))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _remade, (type(self), self.code, self.field, self.context, self.values)
-
-
-def _remade(
-    kind: type[_Told], code: str, field: str | None, context: tuple[Phrase, ...], values: dict[str, Any]
-) -> _Told:
-    return kind(code, field, context=context, **values)
+        return partial(type(self), context=self.context, **self.values), (self.code, self.field)
 
 
 class InputError(_Told, ValueError):
