@@ -162,8 +162,8 @@ class Pool:
         if executor is not None:
             instance_of("executor", executor, Executor)
         self.width = thread_count(WIDTH if threads is None and executor is not None else threads)
-        self._given = executor
-        self._threads = None if executor is not None else ThreadPoolExecutor(self.width)
+        self._on_threads = executor is None
+        self._executor = ThreadPoolExecutor(self.width) if executor is None else executor
         self._under_way: dict[Future[Any], tuple[int, Callable[[], Any], dict[str, Callable[[], Any]]]] = {}
         self._submitted = itertools.count()
         self._stop = Stop()
@@ -175,8 +175,8 @@ class Pool:
         self._drop()
         if kind is not None:
             self._stop.set()
-        if self._threads is not None:
-            self._threads.shutdown(wait=True, cancel_futures=True)
+        if self._on_threads:
+            self._executor.shutdown(wait=True, cancel_futures=True)
 
     def as_completed(self, calls: Iterable[Callable[[], T]]) -> Generator[tuple[int, T]]:
         """Yield the number of each call and its result, as they are completed.
@@ -224,13 +224,12 @@ class Pool:
 
     def _hand_in(self, number: int, call: Callable[[], Any], sent: dict[str, Callable[[], Any]]) -> None:
         """Submit a call, to a given executor with the shared values that its process lacked."""
-        if self._threads is not None:
-            future = self._threads.submit(self._stop.ending_runs()(call))
+        if self._on_threads:
+            future = self._executor.submit(self._stop.ending_runs()(call))
         else:
-            assert self._given is not None
             try:
                 # The number makes each submission another one for executors that remember results.
-                future = self._given.submit(
+                future = self._executor.submit(
                     _elsewhere, stayput.__version__, next(self._submitted), call, sent
                 )
             except Exception as error:
@@ -242,7 +241,7 @@ class Pool:
         completed: dict[int, Future[Any]] = {}
         for future in wait(self._under_way, return_when=FIRST_COMPLETED).done:
             number, call, sent = self._under_way.pop(future)
-            if self._threads is not None:
+            if self._on_threads:
                 completed[number] = future
                 continue
             try:
