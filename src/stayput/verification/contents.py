@@ -134,7 +134,13 @@ def contents_verdicts(contest: Contest, options: Sequence[Option]) -> list[Conte
     overturns, carrier = (_in_plane if contest.in_plane else _in_space)(contest, options)
 
     shape = len(options), min(contest.settings.motions, MOTIONS)
-    spilt = _followed(carrier, shape, body, contents, contest.threads)
+
+    def follow(place: int, motion: int) -> Spill | None:
+        return _spilt_by(carrier(place, motion), body, contents, leaving=True)
+
+    with Pool(contest.threads) as pool:
+        each = [*pool.in_order(partial(follow, *at) for at in np.ndindex(*shape))]
+    spilt = [each[first : first + shape[1]] for first in range(0, len(each), shape[1])]
     less = overturns(emptied(body, contents))
     wide: Sequence[Probability | None] = [None] * len(options)
     if contents.drawers != "none":
@@ -145,9 +151,9 @@ def contents_verdicts(contest: Contest, options: Sequence[Option]) -> list[Conte
             wide = [probability(fallen, ~fallen)] * len(options)
         else:
             wide = overturns(pulled_out)
-    bare, *others = (_verdict(*each, contents) for each in zip(spilt, less, wide, strict=True))
+    bare, *others = (_verdict(*parts, contents) for parts in zip(spilt, less, wide, strict=True))
 
-    return [bare, *(replace(each, change=less_out(each, bare, len(others))) for each in others)]
+    return [bare, *(replace(other, change=less_out(other, bare, len(others))) for other in others)]
 
 
 def less_out(first: ContentsVerdict, second: ContentsVerdict, comparisons: int) -> Difference:
@@ -264,26 +270,6 @@ def share_out(spilt: Sequence[Spill | None], contents: Contents) -> Probability:
     items = np.array([0 if spill is None else each for spill in spilt])
     out = np.array([0 if spill is None else np.count_nonzero(spill.out) for spill in spilt])
     return probability_of_counts(out, items, each - items)
-
-
-def _followed(
-    carrier: Callable[[int, int], Carrier],
-    shape: tuple[int, int],
-    body: Body,
-    contents: Contents,
-    threads: int | None,
-) -> list[list[Spill | None]]:
-    """Return what comes out with each option under each motion."""
-    options, motions = shape
-    spills: list[list[Spill | None]] = [[None] * motions for _ in range(options)]
-
-    def follow(place: int, number: int) -> tuple[int, int, Spill | None]:
-        return place, number, _spilt_by(carrier(place, number), body, contents, leaving=True)
-
-    with Pool(threads) as pool:
-        for _, (place, number, spilt) in pool.as_completed(partial(follow, *at) for at in np.ndindex(*shape)):
-            spills[place][number] = spilt
-    return spills
 
 
 def _verdict(
