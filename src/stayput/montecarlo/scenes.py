@@ -22,7 +22,7 @@ from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import HOLDS
 from stayput.montecarlo.runs import Runs, without_free_slide
 from stayput.montecarlo.sampling import drawn_floor
-from stayput.montecarlo.scene_draws import DrawOfSeveral, drawn_scene, drawn_shaking
+from stayput.montecarlo.scene_draws import DrawOfSeveral, drawn_scene, drawn_shaking, draws_of_scenario
 from stayput.simulation.groups import Group, Track, groups_at_first, run_in_groups
 from stayput.simulation.space import ENDS, names_of, results_of, run_of_trace, trace_groups, trace_together
 from stayput.simulation.space_engine import STEP, SpaceShaking
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from stayput.model.state import State
     from stayput.montecarlo.scaled_motions import FloorMotions
     from stayput.motion.record import Motion
+    from stayput.scenario import Scenario
     from stayput.simulation.run import Run
     from stayput.simulation.scene import Scene
     from stayput.simulation.space import Trace
@@ -91,41 +92,33 @@ class SceneRunner:
 
     Parameters
     ----------
-    drawn : callable
-        Returns the draws of some samples of each motion, by motion and sample, given how many come before.
+    scenario : Scenario
+        What stands where, and what of it is uncertain.
     floors : FloorMotions
         The motions.
-    gravity : float
-        Acceleration of gravity [m/s²].
-    counted : sequence of int
-        The pieces that count together.
     threads : int, optional
         As many as there are cores by default. The bits do not depend on them.
     advance : callable
         Called with the number of runs just done; an exception that it raises stops the work.
     watch : callable
         What looks at the runs of a room with a plan.
-    initial : State, optional
-        The initial state of a lone piece; at rest by default.
     known : dict, optional
         Runs of the same motions and draws that are known, to which those are added that are made.
     """
 
     def __init__(
         self,
-        drawn: Callable[[int, int], Sequence[Sequence[DrawOfSeveral]]],
+        scenario: Scenario,
         floors: FloorMotions,
-        gravity: float,
-        counted: Sequence[int],
         *,
-        threads: int | None = None,
-        advance: Callable[[int], None] = lambda _runs: None,
+        threads: int | None,
+        advance: Callable[[int], None],
         watch: Watch,
-        initial: State | None = None,
-        known: KnownRuns | None = None,
+        known: KnownRuns | None,
     ) -> None:
-        self._drawn, self.floors, self._gravity, self._initial = drawn, floors, gravity, initial
-        self._counted, self.threads, self.advance, self._watch = list(counted), threads, advance, watch
+        self._scenario, self.floors, self.threads = scenario, floors, threads
+        self.advance, self._watch, self._counted = advance, watch, list(scenario.counted)
+        self._gravity, self._initial = scenario.gravity, scenario.initial.state()
         self._draws: list[list[DrawOfSeveral]] = [[] for _ in floors.motions]
         self._known = {} if known is None else known
 
@@ -139,7 +132,8 @@ class SceneRunner:
         """Return the draw of a member."""
         done = len(self._draws[motion])
         if sample >= done:
-            for known, more in zip(self._draws, self._drawn(sample + 1 - done, done), strict=True):
+            drawn = draws_of_scenario(self._scenario, len(self._draws), sample + 1 - done, done)
+            for known, more in zip(self._draws, drawn, strict=True):
                 known.extend(more)
         return self._draws[motion][sample]
 
@@ -344,10 +338,9 @@ def replay(
         The floor's motion, and the factor on it.
     """
     shaking = drawn_shaking(motion, scale, draw, gravity)
-    parts = _Parts(scene)
 
     def trace(group: Group) -> Trace:
-        part, called, _ = parts.part(group)
+        part, called = scene.part(group), names_of(scene, group)
         return trace_draw(part, draw.of(group), shaking, gravity, called, initial).in_room()
 
     traced = trace_groups(scene, trace, shaking.dt)

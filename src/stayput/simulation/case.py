@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from stayput import errors
 from stayput.catalogue import phrase
-from stayput.measures.element import DeviceResult, device_results
+from stayput.measures.element import device_results
 from stayput.measures.measure import Held, Measure, element_rows, hold
 from stayput.mechanics import columns as col
 from stayput.model.body import Body
@@ -225,9 +225,8 @@ def simulate(
     columns, elements = case_columns(held.body, held.room, start, gravity), element_rows(held)
     of_floor = shaking(shaken.x, shaken.z, shaken.dt, law_number(contact))
     traced = trace(columns[0], of_floor, elements)
-    results = device_results(held, elements, traced.devices, traced.forces, held.body.mass)
     case = Case(held.body, held.room, shaken, contact, start, gravity)
-    return run_of(case, traced, held, results, most_events)
+    return run_of(case, traced, held, elements, most_events)
 
 
 def _in_scene(
@@ -265,7 +264,7 @@ def law_number(contact: str) -> int:
 
 
 def run_of(
-    case: Case, traced: Traced, held: Held, devices: tuple[DeviceResult, ...], most_events: int | None = None
+    case: Case, traced: Traced, held: Held, elements: NDArray[np.void], most_events: int | None
 ) -> Run:
     """Return the `Run` of the numbers of the mechanics in the plane."""
     history = traced.history.T.copy()
@@ -303,7 +302,7 @@ def run_of(
         attitude=np.column_stack((np.cos(half), none, np.sin(half), none))[np.newaxis],
         velocity=np.column_stack((rates[0], none, rates[1]))[np.newaxis],
         rotation_rate=np.column_stack((none, tilt_rate, none))[np.newaxis],
-        devices=devices,
+        devices=device_results(held, elements, traced.devices, traced.forces, held.body.mass),
         contact=case.contact,
         initial=case.initial,
         gravity=case.gravity,

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import weakref
 from collections.abc import Callable, Sequence
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures import Element, hold
-from stayput.measures.element import device_results
 from stayput.mechanics.runner import shaking, trace
 from stayput.model.flat_fields import case_columns
 from stayput.montecarlo.runs import Falls, Runs, run_level, run_levels, settled_levels
@@ -85,9 +83,8 @@ def drawn_run(scenario: Scenario, option: Option, member: Member) -> Run:
     row = case_columns(held.body, held.room, initial, gravity)
     row["scale"] = scale
     traced = trace(row[0], shaking(motion.x, motion.z, motion.dt, 0), elements)
-    results = device_results(held, elements, traced.devices, traced.forces, held.body.mass)
     case = Case(held.body, held.room, scaled, initial=initial, gravity=gravity)
-    return run_of(case, traced, held, results, MOST_EVENTS).named(scenario.names)
+    return run_of(case, traced, held, elements, MOST_EVENTS).named(scenario.names)
 
 
 HeldBy = list[tuple[tuple[str, ...], Element | None]]
@@ -154,14 +151,11 @@ class Contest:
         self._last: tuple[object, list[Rows]] = None, []
         self._scenes: dict[int, tuple[Option, Scene]] = {}
         self.runner = SceneRunner(
-            partial(draws_of_scenario, scenario, self.settings.motions),
+            scenario,
             self.floors,
-            self.settings.gravity,
-            scenario.counted,
             threads=threads,
             advance=advance,
             watch=self.watcher,
-            initial=scenario.initial.state(),
             known=None if scenario.plan is None or times != 1.0 else _known_runs(scenario, self.floors),
         )
 
