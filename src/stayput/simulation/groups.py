@@ -21,7 +21,7 @@ from scipy.spatial import ConvexHull
 from stayput.mechanics.space.touching import ROOM
 from stayput.simulation.piece import Convex, ConvexShape, Piece, separation
 from stayput.simulation.space_engine import MOST_HITS, Gaps, SpaceTrace
-from stayput.simulation.space_fate import falling
+from stayput.simulation.space_fate import falling, moved_samples
 from stayput.simulation.space_records import frames_of, matrices
 
 if TYPE_CHECKING:
@@ -137,11 +137,7 @@ def stirring(shape: ConvexShape, place: NDArray[np.float64], turn: NDArray[np.fl
     """Return the samples at which a body is elsewhere than at the sample before, and the first."""
     if not np.isfinite(place).all():
         return np.zeros(1, np.intp)
-    changes = np.zeros(len(place), np.bool_)
-    for numbers in (*place.T, *turn.reshape(len(turn), -1).T):
-        changes[1:] |= numbers[1:] != numbers[:-1]
-    changes[0] = True
-    moved = np.flatnonzero(changes)
+    moved, _ = moved_samples(place, turn)
     reach = np.linalg.norm(shape.corners, axis=1).max()
     way = np.linalg.norm(place[moved] - place[0], axis=1)
     way += reach * np.linalg.norm(turn[moved] - turn[0], axis=(1, 2))

@@ -272,7 +272,10 @@ def placed(
             raise error.at(names[number] if names else scene.called(number)) from None
         under = _drawn(held.room.floor, room.floor, drawn_floor)
         held = replace(held, room=replace(held.room, floor=under))
-        body = placed_piece(member, held, element_rows(held, strength), number, initial)
+        # what stands higher stands on another piece, which does not give way as a soft floor does
+        around = replace(held.room, floor=replace(under, settlement=0.0)) if member.at[2] > 0.0 else held.room
+        case = case_columns(held.body, around, initial or State(), STANDARD_GRAVITY)[0]
+        body = held_body(case, element_rows(held, strength), member.at, member.heading, number, held)
         if any((*member.tilt, *member.velocity, *member.rotation_rate)):
             tilted = replace(member, body=body.piece.body, measures=())
             body = body._replace(piece=tilted, pose=_first_pose(tilted))
@@ -290,20 +293,6 @@ def _drawn(floor: Floor, stated: Floor, drawn_floor: Callable[[Floor], Floor]) -
     drawn, names = drawn_floor(floor), (field.name for field in fields(floor))
     changed = (name for name in names if getattr(floor, name) != getattr(stated, name))
     return replace(floor, **{name: getattr(drawn, name) for name in changed})
-
-
-def placed_piece(
-    piece: Piece, held: Held, elements: NDArray[np.void], number: int = 0, initial: State | None = None
-) -> Placed:
-    """Return a piece of a scene with its measures; see `held_body`.
-
-    What stands higher stands on another piece, which does not give way as a soft floor does.
-    """
-    room = held.room
-    if piece.at[2] > 0.0:
-        room = replace(room, floor=replace(room.floor, settlement=0.0))
-    case = case_columns(held.body, room, initial or State(), STANDARD_GRAVITY)[0]
-    return held_body(case, elements, piece.at, piece.heading, number, held)
 
 
 def hold_piece(piece: Piece, room: Room, planes: NDArray[np.void]) -> Held:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -31,7 +31,7 @@ from stayput.simulation.space_records import frames_of, matrices, surface_of, wo
 from stayput.wording import joined, name_within
 
 if TYPE_CHECKING:
-    from stayput.measures.measure import Held, Measure
+    from stayput.measures.measure import Measure
     from stayput.model.room import Floor, Room
     from stayput.model.state import State
     from stayput.motion.record import Motion
@@ -125,14 +125,6 @@ class Trace:
         hits["y"] += y
         trace = self.trace._replace(place=self.trace.place + origin, springs=springs, hits=hits)
         return Trace(tuple(bodies), planes, trace, self.gravity)
-
-    def held(self) -> Iterator[tuple[int, Held, slice]]:
-        """Yield the numbers of the pieces of furniture, their measures, and where their devices are."""
-        first = 0
-        for number, body in enumerate(self.bodies):
-            if body.held is not None:
-                yield number, body.held, slice(first, first + len(body.springs))
-            first += len(body.springs)
 
 
 def trace_scene(
@@ -334,10 +326,12 @@ def run_of_trace(traced: Trace, joints: Sequence[Joint], room: Room, motion: Mot
         Where the bodies stood, and how the floor moved.
     """
     trace, planes = traced.trace, traced.planes
-    devices: list[DeviceResult] = []
-    for number, measures, rows in traced.held():
-        records = trace.springs[rows], trace.devices[rows], trace.forces[:, rows]
-        devices += device_results(measures, *records, mass=1.0, member=number)
+    devices, first = list[DeviceResult](), 0
+    for number, body in enumerate(traced.bodies):
+        rows, first = slice(first, first + len(body.springs)), first + len(body.springs)
+        if body.held is not None:
+            records = trace.springs[rows], trace.devices[rows], trace.forces[:, rows]
+            devices += device_results(body.held, *records, mass=1.0, member=number)
     between = slice(len(trace.springs) - len(joints), None)
     devices += joint_results(joints, trace.springs[between], trace.devices[between], trace.forces[:, between])
     surfaces = [surface_of(plane) for plane in planes]

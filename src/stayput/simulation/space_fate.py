@@ -374,7 +374,7 @@ class _Poses(NamedTuple):
 
 
 def _poses(piece: Piece, place: NDArray[np.float64], turn: NDArray[np.float64]) -> _Poses:
-    moved, repeats = _moves(place, turn)
+    moved, repeats = moved_samples(place, turn)
     turned = _chosen(turn, moved)
     return _Poses(_chosen(place, moved), turned, unrolled(piece, turned), repeats)
 
@@ -409,7 +409,7 @@ def _seen_from(
     return place[b, 0] + (places - places[0]) @ first.T, turn[b, 0] + first @ (turns - turns[0])
 
 
-def _moves(
+def moved_samples(
     place: NDArray[np.float64], turn: NDArray[np.float64]
 ) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     """Return the samples at which a body is not where it was before, and which of them each sample repeats.
