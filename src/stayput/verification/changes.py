@@ -57,11 +57,6 @@ class Change:
     at: tuple[float, float] | None = None
     heading: float | None = None
 
-    def place(self, heading: float) -> tuple[tuple[float, float], float]:
-        """Return where what faces a direction is moved to, and what it faces there: the same unless told."""
-        assert self.at is not None
-        return self.at, heading if self.heading is None else self.heading
-
 
 @dataclass(frozen=True, eq=False)
 class FreeFloor:
@@ -260,17 +255,11 @@ def refuse_unheld(scene: Scene, body: int) -> None:
     wall = wall_faced(member.heading)
     axis = 1 if wall in ("left_wall", "right_wall") else 0
     across = (-math.sin(member.heading), math.cos(member.heading))[axis]
-    if any(
-        _in_an_opening(
-            plan,
-            wall,
-            member.at[axis] + across * element.across,
-            member.at[2] + element.point[1] + element.rise,
-        )
-        for element in held.elements
-        if element.kind in on_wall
-    ):
-        raise InputError("rooms.at_an_opening", "measures")
+    for element in held.elements:
+        along = member.at[axis] + across * element.across
+        height = member.at[2] + element.point[1] + element.rise
+        if element.kind in on_wall and _in_an_opening(plan, wall, along, height):
+            raise InputError("rooms.at_an_opening", "measures")
 
 
 def wall_faced(heading: float) -> str:

@@ -289,7 +289,9 @@ class Watcher:
         hits = np.full((len(plan.places), len(tracks), len(RoomContact._fields)), np.nan)
         for at, place in enumerate(plan.places):
             for body, track in enumerate(tracks):
-                contact = self._contact(track, place)
+                if (id(track), place) not in self._contacts:
+                    self._contacts[id(track), place] = track, contact_with_place(track, place)
+                contact = self._contacts[id(track), place][1]
                 if contact is not None:
                     hits[at, body] = contact
         blocked, shut_in = self.ends(plan, tracks)
@@ -318,12 +320,6 @@ class Watcher:
         if id(track) not in self._covered:  # the track is kept with it, so that the id stays its own
             self._covered[id(track)] = track, ways.covered([track.outline(len(track.sample) - 1)])
         return self._covered[id(track)][1]
-
-    def _contact(self, track: Track, place: PersonPlace) -> RoomContact | None:
-        key = id(track), place
-        if key not in self._contacts:
-            self._contacts[key] = track, contact_with_place(track, place)
-        return self._contacts[key][1]
 
 
 class Zones(NamedTuple):
