@@ -123,10 +123,7 @@ def compare(
                 options = (*options, option)
                 here += contest.run([option], samples)
                 verdict = so_far(here, samples)
-        at_a_level, badly = (
-            len(options) * settings.motions * samples,
-            len(faulty) * settings.motions * samples,
-        )
+        at_a_level, badly = (number * settings.motions * samples for number in (len(options), len(faulty)))
         if unneeded := total - at_a_level * (1 + len(rows)) - badly:  # samples beyond the asked precision
             count(max(0, unneeded))
         more: dict[str, Any] = {}

@@ -186,8 +186,8 @@ def shaken_notes(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
         if verdict.scenario.plan is None:
             yield _grade(graded, verdict)
         return
-    if not verdict.without.option.count:  # the formulas know of no measures
-        yield from _estimate(verdict)
+    if verdict.estimates is not None and not verdict.without.option.count:  # formulas know of no measures
+        yield from _estimate(verdict, verdict.estimates.overturning_ratio)
         yield from _field(verdict)
     yield _grade(graded, verdict)
     if any(slides_off(option, verdict) for option in verdict.options):
@@ -236,9 +236,7 @@ def _field(verdict: Verdict) -> Iterator[Phrase]:
     )
 
 
-def _estimate(verdict: Verdict) -> Iterator[Phrase]:
-    assert verdict.estimates is not None
-    formula = verdict.estimates.overturning_ratio
+def _estimate(verdict: Verdict, formula: float) -> Iterator[Phrase]:
     simulated = verdict.without.probabilities[OVERTURNED]
     close = not abs(formula - simulated.estimate) > APART  # also where the simulation has no result
     if close or simulated.low <= formula <= simulated.high:

@@ -274,13 +274,11 @@ def people_of(
         Which doors are blocked and who is shut in as the furniture stands.
     """
     at_places, then, missing = events_at_places(runs), events_of(runs), runs.missing
-    outlooks = {name: Outlook(probability(flags, missing), None) for name, flags in then.items()}
+    changes: dict[str, Difference] = {}
     if bare is not None:
         now, both = events_of(bare), missing | bare.missing
-        outlooks = {
-            name: Outlook(outlook.chance, difference(then[name], now[name], both))
-            for name, outlook in outlooks.items()
-        }
+        changes = {name: difference(flags, now[name], both) for name, flags in then.items()}
+    outlooks = {name: Outlook(probability(flags, missing), changes.get(name)) for name, flags in then.items()}
     places = tuple(
         PlaceVerdict(
             place=place,
@@ -307,12 +305,9 @@ def _by(runs: Runs, place: int, pieces: Sequence[tuple[str, float]]) -> tuple[Hi
             chosen = all_of_them[:, :, place, body]
             if not chosen.any():
                 continue
-            speed, energy = (
-                Quantiles.of(
-                    runs.hits[:, :, place, body, n][chosen], np.zeros(np.count_nonzero(chosen), np.bool_)
-                )
-                for n in (SPEED, ENERGY)
-            )
+            those = runs.hits[:, :, place, body][chosen]
+            overturned = np.zeros(len(those), np.bool_)  # what falls too counts by how it hits
+            speed, energy = (Quantiles.of(those[:, n], overturned) for n in (SPEED, ENERGY))
             chance = probability(chosen, runs.missing)
             verdicts.append(HitVerdict(name, mass, chance, speed, energy, by_falling))
     return tuple(sorted(verdicts, key=lambda hit: (not hit.by_falling, -hit.harm)))
