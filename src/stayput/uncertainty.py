@@ -243,12 +243,10 @@ class Uncertainty:
         first = int(within("verification.start", start, 0, 2**20))
         streams = 1 if motions is None else int(within("verification.motions", motions, 1, 100_000))
         within("common.seed", seed, 0, 2**63)
+        if not self.marginals:
+            return {}
         names = list(self.marginals)
-        shares = (
-            _sobol(count, len(names), seed, streams, first, stream)
-            if names
-            else np.empty((streams, count, 0))
-        )
+        shares = _sobol(count, len(names), seed, streams, first, stream)
         if motions is None:
             shares = shares[0]
         return {name: self.marginals[name].quantile(shares[..., i]) for i, name in enumerate(names)}

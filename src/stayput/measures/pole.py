@@ -170,12 +170,11 @@ class TensionPole(Measure):
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with an element from its top to the ceiling."""
-        if room.ceiling is None:
-            if self.ceiling_height is None:
-                raise InputError("measures.no_ceiling", "room.ceiling", measure=self.label)
+        if room.ceiling is None and self.ceiling_height is not None:
             room = replace(room, ceiling=Ceiling(self.ceiling_height))
+        if room.ceiling is None:
+            raise InputError("measures.no_ceiling", "room.ceiling", measure=self.label)
         self.check_most("setback", body.width)
-        assert room.ceiling is not None
         point = (-body.width / 2 + self.setback, body.height)
         space = room.ceiling.height - at_rest(body, point)[1]
         called = phrase("measures.space_for", measure=self.label)

@@ -81,10 +81,9 @@ class WallDevice(Measure):
 
     def checks(self, room: Room) -> tuple[Phrase, ...]:
         """Return what the wall and the furniture's top board must be."""
-        assert room.left_wall is not None
         near, far = (1e3 * pitch for pitch in fixing.STUD_PITCH)
         numbers = {"near": near, "far": far, "depth": 1e3 * fixing.SCREW_IN_STUD}
-        made_of = self.fixed_to(room.left_wall)
+        made_of = self.fixed_to(wall_behind(self, room))
         return phrase(f"measures.check_{made_of}", **numbers), phrase("measures.check_top")
 
     @abstractmethod

@@ -114,19 +114,15 @@ def joined_rows(
 ) -> tuple[NDArray[np.void], NDArray[np.void], NDArray[np.int64]]:
     """Return the cases of several pieces, their devices and the number of each one's motion."""
     cases = np.concatenate([piece_rows.cases for piece_rows in rows])
-    elements = _side_by_side([piece_rows.elements for piece_rows in rows])
+    # all sets of measures as one column, padded with elements that do nothing
+    elements = no_elements(max(piece_rows.elements.shape[1] for piece_rows in rows), len(cases))
+    start = 0
+    for piece_rows in rows:
+        stop = start + len(piece_rows.cases)
+        elements[start:stop, : piece_rows.elements.shape[1]] = piece_rows.elements
+        start = stop
     motion = [np.repeat(np.arange(motions), len(piece_rows.cases) // motions) for piece_rows in rows]
     return cases, elements, np.concatenate(motion)
-
-
-def _side_by_side(rows: list[NDArray[np.void]]) -> NDArray[np.void]:
-    """Return the elements of all sets of measures as one column, padded with elements that do nothing."""
-    joined = no_elements(max(row.shape[1] for row in rows), sum(len(row) for row in rows))
-    start = 0
-    for row in rows:
-        joined[start : start + len(row), : row.shape[1]] = row
-        start += len(row)
-    return joined
 
 
 def _runs(

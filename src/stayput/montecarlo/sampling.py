@@ -130,7 +130,7 @@ class DrawTable:
         return motions, samples
 
     def __len__(self) -> int:
-        return self.shape[0]
+        return len(self.columns["mass"])
 
     def __getitem__(self, motion: int) -> list[Draw]:
         """Return the draws of a motion."""

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stayput.errors import InputError
-from stayput.fragility.intensity_measures import JMA_INTENSITY, MMI, PFA, PFV, PGA, PGV, IntensityMeasure
+from stayput.fragility.intensity_measures import JMA_INTENSITY, PFA, PFV, PGA, PGV, IntensityMeasure
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import of_the_ground
 from stayput.motion.ground_shaking import GroundStrength, horizontal_peak, horizontal_sa, larger_peak
@@ -319,8 +319,6 @@ class ScaledMotions:
             of_the_ground(motion, "measure")
         if measure.period is not None:
             return factors * self._spectral[measure.period]
-        if measure != MMI:
-            raise ValueError(measure)
         pga, pgv = self._horizontal_peaks
         return np.array([mercalli_beyond(k * a, k * v) for k, a, v in zip(factors, pga, pgv, strict=True)])
 
