@@ -121,6 +121,7 @@ class FamilyReply(NamedReply):
 class IntensityReply(NamedReply):
     """A class of JMA's intensity."""
 
+    from_: float | None = Field(serialization_alias="from", description="Where it begins.")
     middle: float
     about: Words = Field(description="What people meet.")
     furniture: Words = Field(description="What it does to furniture.")
@@ -218,7 +219,7 @@ def presets(limits: Limits) -> PresetsReply:
             FamilyReply(id=name, label=Words.of(label), about=Words.of(about))
             for name, (label, about) in names.FAMILIES.items()
         ],
-        intensities=[_intensity(name) for name, _ in CLASSES],
+        intensities=[_intensity(name, start) for name, start in CLASSES],
         measures=[_measure(name, kind) for name, kind in MEASURES.items()],
         numbers={name: _parameter(number) for name, number in NUMBERS.items()},
         outcomes=_named(names.OUTCOMES),
@@ -249,10 +250,11 @@ def _furniture(name: str, preset: Preset) -> FurnitureReply:
     )
 
 
-def _intensity(name: str) -> IntensityReply:
+def _intensity(name: str, start: float) -> IntensityReply:
     return IntensityReply(
         id=name,
         label=Words.of(names.INTENSITIES[name]),
+        from_=start if math.isfinite(start) else None,
         middle=intensity_of_class(name),
         about=Words.of(names.PEOPLE[name]),
         furniture=Words.of(names.ON_FURNITURE[name]),
