@@ -111,11 +111,11 @@ def test_a_sheet_is_under_its_own_piece_alone() -> None:
 @pytest.mark.parametrize(
     ("piece", "room", "said"),
     [
-        (sp.Piece(BODY, measures=of("against_wall")), ROOM, "cannot be given to one piece"),
+        (sp.Piece(BODY, heading=0.3, measures=of("against_wall")), ROOM, "cannot be given to one piece"),
         (sp.Piece(BODY, heading=0.3, measures=of("l_bracket")), ROOM, "wall"),
         (sp.Piece(BODY, measures=of("tension_pole")), sp.Room(), "need a ceiling"),
         (
-            sp.Piece(BODY, measures=[sp.MEASURES["tension_pole"](ceiling_height=2.4)]),  # type: ignore[call-arg]
+            sp.Piece(BODY, heading=0.3, measures=[sp.MEASURES["tension_pole"](ceiling_height=2.4)]),  # type: ignore[call-arg]
             sp.Room(),
             "need a ceiling",
         ),
@@ -124,6 +124,12 @@ def test_a_sheet_is_under_its_own_piece_alone() -> None:
 def test_what_cannot_be_put_in_place(piece: sp.Piece, room: sp.Room, said: str) -> None:
     with pytest.raises(sp.InputError, match=said):
         sp.simulate(sp.Scene([piece], room), sp.sine(1.0, 1.0, 1.0))
+
+
+def test_measures_of_several_pieces_do_not_change_the_room() -> None:
+    pieces = [sp.Piece(BODY, measures=of("against_wall")), sp.Piece(BODY, (0.0, 2.0, 0.0))]
+    with pytest.raises(sp.InputError, match="cannot be given to one piece of several"):
+        sp.simulate(sp.Scene(pieces, ROOM), sp.sine(1.0, 1.0, 1.0))
 
 
 def test_bodies_that_are_no_pieces() -> None:

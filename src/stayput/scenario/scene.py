@@ -279,7 +279,7 @@ class SceneTables(Table):
             friction = self.static_friction, self.kinetic_friction
             if self.alone:  # in its own axes, along which its motions are
                 pieces = [replace(pieces[0], heading=0.0)]
-            scene = Scene(pieces, self.room.room(), self._plan(), joints, friction)
+            scene = Scene(pieces, self.room.room(), self._plan(), joints, friction).in_room_of_measures()
             return scene.moved(chosen.moved) if chosen.moved else scene
 
     def _keys(self) -> AbstractContextManager[None]:

@@ -255,7 +255,7 @@ def scene_of(body: Body, room: Room, measures: Sequence[Measure]) -> Scene:
     from stayput.simulation.piece import Piece
     from stayput.simulation.scene import Scene
 
-    return Scene([Piece(body, measures=measures)], room)
+    return Scene([Piece(body, measures=measures)], room).in_room_of_measures()
 
 
 def law_number(contact: str) -> int:

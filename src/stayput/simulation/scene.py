@@ -209,9 +209,6 @@ class Scene:
         for number, piece in enumerate(pieces):
             below = None if piece.on is None else put[names.index(piece.on)]
             put.append(_in_its_place(piece, f"pieces[{number}].at", below, self.plan))
-        if len(put) == 1 and self.plan is None:
-            put[0], room = _in_its_room(put[0], self.room)
-            object.__setattr__(self, "room", room)
         object.__setattr__(self, "pieces", put)
         object.__setattr__(self, "names", tuple(names))
         object.__setattr__(self, "around", _around(put, self.room, self.plan))
@@ -255,6 +252,18 @@ class Scene:
             if joint.first in numbers and joint.second in numbers
         ]
         return replace(self, pieces=pieces, room=room, joints=joints)
+
+    def in_room_of_measures(self) -> Scene:
+        """Return the scene of a lone piece with what its measures say of the room: wall behind, ceiling."""
+        piece = self.pieces[0]
+        of_room = [measure for measure in piece.measures if measure.acts_on == "the room"]
+        poles = [measure for measure in piece.measures if measure.needs == "ceiling"]
+        lone = len(self.pieces) == 1 and self.plan is None and piece.heading == 0.0
+        if not lone or piece.body.shape is not None or not (of_room or poles):
+            return self
+        measures = [measure for measure in piece.measures if measure not in of_room]
+        room = hold(piece.body, self.room, [*of_room, *poles]).room
+        return replace(self, pieces=[replace(piece, measures=measures)], room=room)
 
     def shifted(self, x: float, y: float) -> Scene:
         """Return the scene in axes whose origin is at a point of the floor; its walls are those around it."""
@@ -323,16 +332,6 @@ class Scene:
                 depth = inside_each_other(piece, other)
                 if depth > DEEPEST:
                     raise InputError("rooms.in_another", key, name=name, other=what, depth=depth)
-
-
-def _in_its_room(piece: Piece, room: Room) -> tuple[Piece, Room]:
-    """Return a lone piece, and its room with what its measures say of that: wall behind it, ceiling."""
-    of_room = [measure for measure in piece.measures if measure.acts_on == "the room"]
-    poles = [measure for measure in piece.measures if measure.needs == "ceiling"]
-    if piece.heading != 0.0 or piece.body.shape is not None or not (of_room or poles):
-        return piece, room
-    measures = [measure for measure in piece.measures if measure not in of_room]
-    return replace(piece, measures=measures), hold(piece.body, room, [*of_room, *poles]).room
 
 
 def _in_its_place(piece: Piece, key: str, below: Piece | None, plan: FloorPlan | None) -> Piece:

@@ -66,6 +66,7 @@ def simulate_scene(
     warned of.
     """
     scene.refuse_wrong_places()
+    scene = scene.in_room_of_measures()
     warn_of_settlement(scene)
     traced = trace_scene(scene, SpaceShaking.of(motion), GRAVITY.check(gravity), step or STEP, initial)
     run = run_of_trace(traced, scene.joints, scene.around, motion)

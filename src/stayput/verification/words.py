@@ -117,7 +117,8 @@ def slides_off(option: OptionVerdict, verdict: Verdict) -> bool:
 def headline(verdict: Verdict, language: str) -> str:
     """Return the verdict in one sentence."""
     sentences = [say(_headline(verdict), language)]
-    if verdict.best.helps and not _helps(verdict.best) and SLID in verdict.best.better:
+    slides = {option.probabilities[SLID].share for option in (verdict.best, verdict.without)}
+    if verdict.best.helps and not _helps(verdict.best) and SLID in verdict.best.better and len(slides) > 1:
         sentences.append(say(_slides_less(verdict), language))
     if verdict.best.installed is not None:
         share = _as_usual(verdict.best).share
