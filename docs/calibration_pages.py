@@ -36,8 +36,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-STUDIES = 500
-"""Studies of each design: a share of 95 % is then known to ± 1.9 points."""
+STUDIES = 300
+"""Studies of each design: a share of 95 % is then known to ± 2.5 points."""
 
 MOTIONS, DRAWS = 120, 10
 """Size of the simulated population."""

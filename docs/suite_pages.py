@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache, partial
 from typing import TYPE_CHECKING
 
 import matplotlib.pyplot as plt
@@ -21,6 +22,9 @@ if TYPE_CHECKING:
     from stayput.motion.suites.suite import Suite
 
 COUNT = 40
+suite_of = cache(partial(synthetic_suite, count=COUNT))
+"""The suite of a family; each is drawn once."""
+
 PERIODS = np.array([0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0])
 
 
@@ -64,7 +68,7 @@ def measured() -> str:
     """Return the table of what the families' motions measure: medians, and 5 % and 95 % of the motions."""
     rows = []
     for name in FAMILIES:
-        suite = synthetic_suite(name, COUNT)
+        suite = suite_of(name)
         columns = (
             suite.intensities,
             [100.0 * motion.pga for motion in suite],
@@ -93,7 +97,7 @@ def scatter() -> str:
     """Return the table of the standard deviation of ln Sa, as drawn and scaled to an intensity."""
     rows = []
     for name in ("mixed", *FAMILIES):
-        suite = synthetic_suite(name, COUNT)
+        suite = suite_of(name)
         for label, one in (("as drawn", suite), ("at one intensity", suite.to_intensity(6.0))):
             rows.append([f"`{name}`", label, *(f"{sigma:.2f}" for sigma in one.log_std(PERIODS))])
     return validation_run.markdown(
@@ -104,7 +108,7 @@ def scatter() -> str:
 def matching() -> str:
     """Return the table of how near suites come to a target over its band."""
     target, rows = japanese_design(), []
-    suite = synthetic_suite(count=COUNT)
+    suite = suite_of("mixed")
     for label, one in (
         ("one factor a motion (`to_spectrum`)", suite.to_spectrum(target)),
         ("every motion matched (`matched`)", suite.matched(target)),
@@ -144,7 +148,7 @@ def write(folder: Path) -> None:
     for make in (families, measured, scatter, matching):
         (folder / f"suite_{make.__name__}.md").write_text(make(), encoding="utf-8")
     target = japanese_design()
-    mixed: Suite = synthetic_suite(count=COUNT)
+    mixed: Suite = suite_of("mixed")
     plot_families(folder / "suite_motions.png")
     mixed.to_intensity(6.0).figure().savefig(folder / "suite_intensity.png")
     together = mixed.to_spectrum(target).matched(target, together=True)

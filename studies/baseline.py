@@ -301,7 +301,7 @@ def run_storeys(rows: Sequence[Rows], ground: Suite) -> NDArray[np.float64]:
     )
 
 
-def baseline(motions: int = 48, *, samples: int = 8, seed: int = 1) -> Study:
+def baseline(motions: int = 32, *, samples: int = 8, seed: int = 1) -> Study:
     """Tell what each thing that the ideal block leaves out is worth, and compare with the field.
 
     Parameters

@@ -153,7 +153,7 @@ def overturning(
 
 
 def capacity(
-    motions: int = 60,
+    motions: int = 40,
     *,
     corners: Sequence[float] = CORNERS,
     sizes: Sequence[str] = SIZES,

@@ -42,7 +42,7 @@ LEVELS = {"6-lower": 5.75, "6-upper": 6.25}
 STRONGEST = "6-upper"
 """Class of intensity of the key numbers and of the figure."""
 
-HEADINGS = (0.0, 30.0, 60.0, 90.0)
+HEADINGS = (0.0, 45.0, 90.0)
 """Angles in plan from the depth of a piece to the motion's x, along which pulses are [degrees]."""
 
 ENGINES = PLANE, SPACE = "plane", "space"
