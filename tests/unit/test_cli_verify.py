@@ -138,7 +138,7 @@ def printed(folder: Path, scenario: str, width: int, *flags: str, command: str =
 def test_changes_of_a_room_are_a_list_where_their_table_would_break(tmp_path: Path, language: str) -> None:
     narrow, wide = (printed(tmp_path, BEDROOM, width, "--lang", language) for width in (80, 400))
     heading = say("room_report.changed_shut_in", language)
-    assert narrow.count(f"{heading} ") == 3  # beside each value
+    assert "".join(narrow.split()).count("".join(heading.split())) == 3  # beside each value
     assert wide.count(heading) == 1
     assert all(cell_len(line) <= 80 for line in narrow.splitlines())
 

@@ -304,8 +304,8 @@ class Header:
 
     def _readers(self, name: str) -> list[reading.CellReader]:
         """Return what makes the column's own text or number of its cells, one after another."""
-        if own := {"storey": reading.storey_meant, "fixed": reading.fixing_known}.get(name):
-            return [own]
+        if reader := {"storey": reading.storey_meant, "fixed": reading.fixing_known}.get(name):
+            return [reader]
         kind, unit = column.COLUMNS[name].unit, self.units[name]
         readers: list[reading.CellReader] = []
         if name in self.in_own_units:

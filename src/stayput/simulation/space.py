@@ -280,8 +280,7 @@ def _slide_at_hits(trace: SpaceTrace, body: int, piece: Piece, until: float) -> 
     What stands on another slides over that, which moves too: only its samples are looked at.
     """
     hits = trace.hits[(trace.hits["a"] == body) & (trace.hits["b"] == ROOM) & (trace.hits["time"] <= until)]
-    on_floor = trace.gaps[0].room[body, 0] <= TOUCHES
-    if len(hits) == 0 or piece.round_side is not None or not on_floor:
+    if len(hits) == 0 or piece.round_side is not None or trace.gaps[0].room[body, 0] > TOUCHES:
         return 0.0
     pose = np.stack([hits[name] for name in HISTORY[:7]], axis=1)
     turn = matrices(frames_of([piece], pose[np.newaxis, :, 3:])[0])

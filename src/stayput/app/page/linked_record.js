@@ -45,3 +45,10 @@ export async function motionOf({ id, name, said, letters }) {
   sent.set(letters, motion.id);
   return motion;
 }
+
+/** A record whose first horizontal component by its file's name shakes the piece, in whichever order they came. */
+export function firstByName(record) {
+  const { across, vertical: up, others, ...along } = record;
+  if (!across || (along.file ?? along.name) <= (across.file ?? across.name)) return record;
+  return { ...across, across: along, vertical: up, others };
+}

@@ -4,7 +4,7 @@ import * as api from "./api.js";
 import { choice, oneOf } from "./controls.js";
 import { el, fill, part } from "./dom.js";
 import { inNumbers, picture } from "./record.js";
-import { isLost, lettersOf, linkedOf, LONGEST, motionOf, ofFurther, whole } from "./linked_record.js";
+import { firstByName, isLost, lettersOf, linkedOf, LONGEST, motionOf, ofFurther, whole } from "./linked_record.js";
 import { worded } from "./refusals.js";
 import { FURTHER, change, current, furtherOf } from "./scene.js";
 import { spoken, t } from "./words.js";
@@ -82,13 +82,6 @@ async function take(sent) {
   }
   trouble = null;
   await use(firstByName({ ...begun, ...further, others }), goesOn ? {} : undefined);
-}
-
-/** A record whose first horizontal component by its file's name shakes the piece, in whichever order they came. */
-function firstByName(record) {
-  const { across, vertical: up, others, ...along } = record;
-  if (!across || (along.file ?? along.name) <= (across.file ?? across.name)) return record;
-  return { ...across, across: along, vertical: up, others };
 }
 
 /** Which component of a record a file holds, "x" being that which shakes the piece; null where they do not say that they are of one. */
