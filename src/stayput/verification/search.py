@@ -119,11 +119,12 @@ def moves_of(
     floor, hit = changes.FreeFloor(plan, scene.pieces), hits_in(runs)
     outlines = [[reach(track) for track in tracks[..., body].ravel()] for body in range(len(scene.pieces))]
     struck = np.flatnonzero(hit.any(axis=(0, 1, 3))).tolist()
-    over: NDArray[np.bool_] = np.any([swept(ways, of_piece) for of_piece in outlines], axis=0)
-    for place in (plan.places[number] for number in struck):
-        other = _best_place(place, changes.other_places(place, floor), over, contest, ways)
-        if other is not None:
-            yield changes.Change(other.name, at=other.at, heading=other.heading)
+    if struck:  # where nobody is hit, what the pieces sweep is not needed
+        over: NDArray[np.bool_] = np.any([swept(ways, of_piece) for of_piece in outlines], axis=0)
+        for place in (plan.places[number] for number in struck):
+            other = _best_place(place, changes.other_places(place, floor), over, contest, ways)
+            if other is not None:
+                yield changes.Change(other.name, at=other.at, heading=other.heading)
     cells = [ways.cells(place.corners) for place in plan.places]
 
     def risk(others: NDArray[np.bool_], outlines: Sequence[NDArray[np.float64]]) -> float:

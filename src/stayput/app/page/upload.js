@@ -249,8 +249,10 @@ const warnings = ({ id, warnings: all }) =>
     ...(one.field === "remove_mean" && latest?.id === id ? [lessItsMean()] : []),
   ]);
 
-const lessItsMean = () =>
-  el("button", { type: "button", text: t("file_remove_mean"), onclick: () => send([latest.file], { ...latest.said, remove_mean: "true" }) });
+const lessItsMean = () => {
+  const onclick = () => send([latest.file], { ...latest.said, remove_mean: "true" });
+  return el("button", { type: "button", text: t("file_remove_mean"), onclick });
+};
 
 /** Shows the record in use, if there is one; what was wrong with another file goes with the next change. */
 export function update() {
