@@ -13,7 +13,7 @@ from stayput.app.messages import Problem, Reply, Words
 from stayput.app.running import own_measures
 from stayput.app.scenes import motions_of, refusal, too_many
 from stayput.errors import InputError
-from stayput.fragility.curve import METHOD, CurveState, FragilityCurve
+from stayput.fragility.curve import METHOD, FragilityCurve
 from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures import hold
 from stayput.report.summary import by_language
@@ -21,7 +21,6 @@ from stayput.report.verdict.data import everyday_data, verdict_data
 from stayput.report.verdict.tables import estimate_rows
 from stayput.scenario import Scenario
 from stayput.scenario.measures import YOURS, table_of
-from stayput.verification.compare import LEVELS
 from stayput.verification.contents import runs_of_contents
 from stayput.verification.events import CELL
 from stayput.verification.notes import everyday_note, left_out_of_held, shaken_notes
@@ -34,8 +33,8 @@ if TYPE_CHECKING:
     from stayput.verification import Verdict
     from stayput.verification.verdict import OptionVerdict
 
-CURVE_POINTS = 10 * (len(LEVELS) - 1) + 1
-"""Intensities at which a curve is sent, over what was run: ten from level to level."""
+CURVE_POINTS = 61
+"""Intensities at which a curve is sent."""
 
 
 class PartReply(Reply):
@@ -200,7 +199,7 @@ def with_options(scenario: Scenario, data: dict[str, Any], compare_usual: bool) 
     return Scenario.parse({**data, "measures": [*tables.values()]}, scenario.folder)
 
 
-def runs_of(scenario: Scenario, limits: Limits, levels: int = 0) -> int:
+def runs_of(scenario: Scenario, limits: Limits) -> int:
     """Return how many simulations a verification makes at most: of a room, those of it as it is.
 
     Raises
@@ -220,7 +219,7 @@ def runs_of(scenario: Scenario, limits: Limits, levels: int = 0) -> int:
     else:
         allowed = limits.runs if scenario.dimensions == 2 else limits.runs_in_space
         options = len(compared_options(scenario)[0])
-        runs *= options * (1 + levels + (scenario.uncertainty.badly(1.0) > 0.0))
+        runs *= options * (1 + (scenario.uncertainty.badly(1.0) > 0.0))
         if scenario.contents is not None:
             runs += options * runs_of_contents(scenario.contents, motions)
     if runs > allowed:
@@ -306,17 +305,15 @@ def _extend_room(data: dict[str, Any], result: OptionVerdict, verdict: Verdict) 
 
 
 def _curve(curve: FragilityCurve, levels: list[dict[str, Any]]) -> dict[str, Any]:
-    grid, fitted = curve.grid(CURVE_POINTS), curve.state is CurveState.FITTED
+    grid = curve.grid(CURVE_POINTS)
     low, high = curve.band(grid)
-    banded = fitted and not curve.one_motion
     return {
-        "state": str(curve.state),
         "method": METHOD,
         "text": curve.text,
         "intensity": grid.round(3).tolist(),
-        "probability": _shares(curve.probability(grid)) if fitted else None,
-        "low": _shares(low) if banded else None,
-        "high": _shares(high) if banded else None,
+        "probability": _shares(curve.probability(grid)),
+        "low": _shares(low),
+        "high": _shares(high),
         "observed": levels,
     }
 

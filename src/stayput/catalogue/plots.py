@@ -6,11 +6,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "curves_number": ("The number of curves", "曲線の数"),
     "curves_measures": ("The curves are over {measures}; those of a plot must be over one measure.",
                         "曲線の強さの指標が{measures}と異なっています。1つの図では同じ指標にしてください。"),
-    "no_bands": ("; one motion: no bands", "（地震動が1つのため帯なし）"),
-    "isotonic": ("Lines: isotonic regression of the marks{alone}", "線：印の単調回帰{alone}"),
+    "no_bands": ("; bands for this one motion alone", "（帯はこの1つの地震動についてのもの）"),
+    "fitted": ("Lines: logit fits to all runs; marks: shares counted{alone}", "線：全計算へのロジット当てはめ、印：数えた割合{alone}"),
     "curve": ("curve", "曲線"),
     "half": ("{name} (half fall: {half})", "{name}（半数が転倒：{half}）"),
-    "half_state": ("{name}: {state} (half fall: {half})", "{name}：{state}（半数が転倒：{half}）"),
     "per_cent": ("{value:.0f} %", "{value:.0f}%"),
     "probability": ("Probability of overturning", "転倒確率"),
     # Floors of a building.

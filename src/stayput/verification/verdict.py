@@ -269,9 +269,7 @@ class Verdict(InJson):
     estimates : Estimates, optional
         Quick estimates by formulas, to stand beside those of a lone piece.
     levels : ndarray, shape (levels,)
-        JMA intensities of the fragility curves.
-    settled : int
-        Runs of the fragility curves that were not made: stronger shaking left the piece far from falling.
+        JMA intensities at which all options ran for the curves.
     precise : bool
         Whether the asked precision was reached.
     impossible : tuple of Impossible
@@ -310,7 +308,6 @@ class Verdict(InJson):
     seconds: float
     estimates: Estimates | None = None
     levels: NDArray[np.float64] = field(default_factory=lambda: np.empty(0))
-    settled: int = 0
     precise: bool = False
     impossible: tuple[Impossible, ...] = ()
     complete: bool = True

@@ -231,7 +231,6 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         "strength": strength_data(verdict.scenario, verdict.motions),
         "slide_limit_m": verdict.slide_limit,
         **attributes(verdict, "motions", "samples", "runs"),
-        "settled_runs": verdict.settled,
         **attributes(verdict, "seed", "precise", "seconds", "complete"),
         "engine": "plane" if verdict.scenario.dimensions == 2 else "space",
         "components": list(verdict.scenario.components),
@@ -348,7 +347,7 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
             {
                 "share": capacity.share,
                 "jma_intensity": number(capacity.estimate),
-                **attributes(capacity, "low", "high", "above", "below", "one_motion", "text"),
+                **attributes(capacity, "low", "high", "text"),
             }
             for capacity in result.capacities.values()
         ],
@@ -458,10 +457,8 @@ def _curve(curve: FragilityCurve) -> dict[str, Any]:
     """Return a curve and the observed shares at its levels, in SI units."""
     im = [level.im for level in curve.levels]
     share, (low, high) = curve.probability(im), curve.band(im)
-    lognormal = curve.lognormal
     return {
         "measure": curve.measure.key,
-        "state": curve.state.value,
         "method": METHOD,
         "one_motion": curve.one_motion,
         "levels": [
@@ -472,7 +469,5 @@ def _curve(curve: FragilityCurve) -> dict[str, Any]:
             }
             for level, p, a, b in zip(curve.levels, share, low, high, strict=True)
         ],
-        "lognormal": None
-        if lognormal is None
-        else attributes(lognormal, "family", "median", "dispersion", "fits", "p_value", "misfit"),
+        "lognormal": None if curve.lognormal is None else curve.lognormal._asdict(),
     }

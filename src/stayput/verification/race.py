@@ -1,0 +1,155 @@
+"""The race of the options of a verification: which of them runs how often.
+
+All run a few times, then what is without anything and those that look best some more, and then those of which
+what people read is not known well enough: without anything and the best to within a half-width, those that
+may still be as good to within a wider one, and what clearly cannot win any more to within a still wider one.
+All have the same motions and draws in the same order, so that any two are compared pair by pair.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.montecarlo.runs import Runs
+from stayput.verification.people import events_of, hardest, harm_of
+
+if TYPE_CHECKING:
+    from stayput.fragility.probabilities import Probability
+    from stayput.scenario.measures import Option
+    from stayput.verification.contest import Contest
+
+STEP = 8
+"""Runs that an option has in a look: as many kinds of motions follow each other in turn."""
+
+LEADERS = 3
+"""Options that run on beside that without anything after the first look."""
+
+HALF_WIDTHS = {2: 0.10, 3: 0.16}
+"""Half-width that is enough of what is without anything and of the best, by dimensions.
+
+A run in the plane takes a tenth of the time of one in space."""
+
+RUNNER_UP, BEATEN = 1.25, 1.9
+"""Factors on it for options that may still be the best, and for those that cannot be."""
+
+
+class Race:
+    """Options with the runs that they have so far.
+
+    Parameters
+    ----------
+    contest : Contest
+        The motions and draws.
+    options : sequence of Option
+        The options; the first has nothing in place.
+
+    Attributes
+    ----------
+    runs : list of Runs
+        Those of each option, in the order of the members of the contest.
+    precise : bool
+        Whether all that was to be known well enough is.
+    """
+
+    def __init__(self, contest: Contest, options: Sequence[Option]) -> None:
+        self.contest, self.options = contest, [*options]
+        self._tracked = len(options) if contest.scenario.plan is not None else 0
+        self.runs: list[Runs] = []
+        self.precise = False
+
+    def add(self, options: Sequence[Option]) -> None:
+        """Let more options take part, whose tracks are not kept."""
+        self.options += options
+
+    def all_runs(self) -> Iterator[None]:
+        """Make all runs of all options, and yield after each part of them."""
+        most, count = len(self.contest.members), STEP
+        while True:
+            self._run_to(dict.fromkeys(range(len(self.options)), min(count, most)))
+            yield
+            if count >= most:
+                return
+            count *= 2
+
+    def looks(self) -> Iterator[None]:
+        """Run the race, and yield after each look."""
+        most, everyone = len(self.contest.members), range(len(self.options))
+        self._run_to(dict.fromkeys(everyone, STEP))
+        yield
+        self._run_to(dict.fromkeys([0, *self._in_order()[:LEADERS]], 2 * STEP))
+        yield
+        while True:
+            open_ones = [number for number in everyone if not self._known(number)]
+            going = {number: len(self.runs[number].members) + STEP for number in open_ones}
+            going = {number: min(count, most) for number, count in going.items() if count < most + STEP}
+            if not going:
+                self.precise = not open_ones
+                return
+            self._run_to(going)
+            yield
+
+    def _run_to(self, counts: dict[int, int]) -> None:
+        """Run options until they have so many runs."""
+        self.runs += [None] * (len(self.options) - len(self.runs))  # type: ignore[list-item]
+        spans = dict[tuple[int, int, bool], list[int]]()
+        for number, count in counts.items():
+            done = len(self.runs[number].members) if self.runs[number] else 0
+            if done < count:
+                spans.setdefault((done, count, number < self._tracked), []).append(number)
+        for (done, count, keep), numbers in spans.items():
+            members = self.contest.members.chosen(slice(done, count))
+            more = self.contest.run([self.options[number] for number in numbers], members, keep=keep)
+            for number, runs in zip(numbers, more, strict=True):
+                self.runs[number] = Runs.joined([self.runs[number], runs]) if done else runs
+
+    def _in_order(self) -> list[int]:
+        """Return the other options, that first which looks best beside what is without anything."""
+        return sorted(range(1, len(self.options)), key=self._gain)
+
+    def _gain(self, number: int) -> tuple[float, ...]:
+        """Return by how much harm, overturning and sliding are more than without anything, run by run."""
+        option, bare = paired(self.runs[number], self.runs[0])
+        known, limit = ~(option.missing | bare.missing), self.contest.settings.slide_limit
+        if not known.any():
+            return (np.inf,)
+        flags = ((each.overturned, each.moved(limit)) for each in (option, bare))
+        less = (float(now[known].mean() - then[known].mean()) for now, then in zip(*flags, strict=True))
+        if self.contest.scenario.plan is None:
+            return (*less, self.options[number].count)
+        harm, before = (
+            harm_of(hardest(each), self.contest.plan(self.options[number]).places, ~known)
+            for each in (option, bare)
+        )
+        return harm - before, *less, self.options[number].count
+
+    def _known(self, number: int) -> bool:
+        """Return whether what people read of an option is known well enough."""
+        settings, dimensions = self.contest.settings, 2 if self.contest.in_plane else 3
+        target = settings.precision or HALF_WIDTHS[dimensions]
+        order = [number for number in self._in_order() if self._gain(number)[0] < np.inf]
+        best = order[0] if order else 0
+        if number not in (0, best):
+            target *= BEATEN if self._beaten(number, best) else RUNNER_UP
+        chance = self._chance(self.runs[number])
+        return chance.runs > 0 and chance.half_width <= target
+
+    def _chance(self, runs: Runs) -> Probability:
+        """Return the probability that people read first: that somebody is hit, or that it overturns."""
+        plan = self.contest.scenario.plan
+        return runs.probability(
+            runs.overturned if plan is None or not plan.places else events_of(runs)["hit"]
+        )
+
+    def _beaten(self, number: int, best: int) -> bool:
+        option, first = self.runs[number], self.runs[best]
+        more = option.difference(option.overturned, first, first.overturned)
+        return more.clear and more.estimate > 0.0
+
+
+def paired(first: Runs, second: Runs) -> tuple[Runs, Runs]:
+    """Return the runs at the stated shaking that two options both have."""
+    both = slice(min(len(first.members), len(second.members)))
+    return first.chosen(both).stated, second.chosen(both).stated
