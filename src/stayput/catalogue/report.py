@@ -9,14 +9,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "shaking": ("Shaking", "揺れの強さ"),
     "instrumental": ("JMA intensity {class} (instrumental {value})", "{class}（計測震度 {value}）"),
     "simulations": ("Simulations", "計算回数"),
-    "simulations_text": (("{runs} runs in all; motions × Monte Carlo samples: {motions} × {samples} for "
-                          "each measure, of curves also for each level"),
-                         ("合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、"
-                          "各対策で（曲線では各レベルでも）計算しました。")),
-    "settled_text": (("; {settled} more were not needed, since weaker or stronger shaking with the same draw "
-                      "told the outcome"),
-                     ("ほかの{settled}回は、同じ条件でのより弱い揺れ・強い揺れの結果から、"
-                      "計算せずに判定しています。")),
+    "simulations_text": ("{runs} runs in all under {motions} motions, {each} of each measure",
+                         "合計{runs}回：地震動{motions}本、対策ごとに{each}回"),
     "motions": ("Motions", "地震動"),
     "not_precise": ("The precision that was asked for was not reached with the samples that were allowed.",
                     "指定された精度には、許された標本数では達していません。"),

@@ -32,7 +32,7 @@ The usual runs are at the stated shaking and at 0.4 of intensity to either side,
 within 0.75 of the stated one. Farther out the prior of the slope says more than the runs."""
 
 PROBIT = 1.702
-"""Slope of a logit curve over that of the probit curve nearest to it, which is nowhere 1 % off (Camilli 1994)."""
+"""Slope of a logit curve over that of the nearest probit curve, from which it is nowhere 1 % off."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,7 +197,7 @@ class FragilityCurve(InJson):
         return self._quantiles(im)[1]
 
     def band(self, im: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Return the ends of the 95 % interval of the probability at intensities [SI]; NaN beyond the curve."""
+        """Return the ends of the 95 % interval at intensities [SI]; NaN beyond the curve."""
         low, _, high = self._quantiles(im)
         return low, high
 
@@ -226,7 +226,7 @@ class FragilityCurve(InJson):
 
     @cached_property
     def lognormal(self) -> Lognormal | None:
-        """The lognormal curve nearest to the fit, for loss tools; none where its median lies beyond the curve."""
+        """The lognormal curve nearest to the fit, for loss tools; none where its median is not known."""
         median = self.capacity().estimate
         return None if math.isnan(median) else Lognormal(median, PROBIT / self.fit.slope)
 

@@ -19,6 +19,7 @@ the two and from their correlation, as Newcombe's (1998) of paired proportions d
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Self
@@ -40,7 +41,7 @@ LAPSES = (0.0, 0.01, 0.03)
 SLOPE, SLOPE_SCATTER = 4.8, 0.45
 """Median of b for each e-fold of the shaking, and the standard deviation of its logarithm.
 
-Counted curves of furniture in space have 5.6 to 6.6 for each unit of JMA's intensity, which are 1.15 e-folds."""
+Counted curves of furniture in space have 5.6 to 6.6 for a unit of JMA's intensity, which is 1.15 e-folds."""
 
 PEAK_SLOPE, PEAK_SCATTER = 3.3, 0.6
 """The same over any other measure, in which motions of the same JMA intensity differ."""
@@ -107,11 +108,11 @@ class LogitFit:
         """
         middle = float(np.average(u, weights=runs))
         x, of_cell = np.unique(u - middle, return_inverse=True)  # a verification has three levels
-        falls, stands = np.bincount(of_cell, fell), np.bincount(of_cell, runs - fell)
+        falls, stands = (np.bincount(of_cell, k).astype(np.float64) for k in (fell, runs - fell))
         fit = cls._posterior(measure, middle, x, falls, stands)
         if motion is None:
             return fit
-        expected = (fit.weight @ fit._shares(middle + x))[of_cell]
+        expected = fit.mean(middle + x)[of_cell]
         effect = effect_of_residuals(fell - runs * expected, runs, expected, motion)
         few = quantile(len(np.unique(motion)), round(runs.sum())) / float(ndtri(0.5 + 0.5 * CONFIDENCE))
         loss = effect * few * few
@@ -130,28 +131,40 @@ class LogitFit:
         of_jma = measure in (JMA_INTENSITY, FLOOR_JMA)
         slope, scatter = (SLOPE, SLOPE_SCATTER) if of_jma else (PEAK_SLOPE, PEAK_SCATTER)
         usual = math.log(slope * (EFOLDS if measure.is_logarithm else 1.0))
-        ends = np.array([[-_LARGEST_LOGIT, _LARGEST_LOGIT], [usual - 4.0 * scatter, usual + 4.0 * scatter]])
-        for _ in range(_PASSES):
-            axes = [np.linspace(*end, points) for end, points in zip(ends, _POINTS, strict=True)]
+
+        def weights(axes: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
+            """Return the posterior at each a, ln b and lapse, the largest of which is 1."""
             a, log_b = axes[0][:, np.newaxis], axes[1]
             z = a[..., np.newaxis] + np.exp(log_b)[:, np.newaxis] * x
             prior = 0.5 * (log_expit(a) + log_expit(-a)) - 0.5 * ((log_b - usual) / scatter) ** 2
-            each = [prior + _log_likelihood(z, lapse, falls, stands) for lapse in LAPSES]
-            weight = np.exp(np.stack(each, axis=-1) - np.max(each))
+            each = np.stack([prior + _log_likelihood(z, lapse, falls, stands) for lapse in LAPSES], axis=-1)
+            return np.exp(each - each.max())
+
+        ends = (-_LARGEST_LOGIT, _LARGEST_LOGIT), (usual - 4.0 * scatter, usual + 4.0 * scatter)
+        axes = [np.linspace(*end, points) for end, points in zip(ends, _POINTS, strict=True)]
+        weight = weights(axes)
+        for _ in range(_PASSES - 1):
             for axis, others in enumerate(((1, 2), (0, 2))):
                 some = np.flatnonzero(weight.max(axis=others) > _NO_WEIGHT)
-                last = len(axes[axis]) - 1
-                ends[axis] = axes[axis][[max(some[0] - 1, 0), min(some[-1] + 1, last)]]
+                first, last = max(int(some[0]) - 1, 0), min(int(some[-1]) + 1, len(axes[axis]) - 1)
+                axes[axis] = np.linspace(axes[axis][first], axes[axis][last], _POINTS[axis])
+            weight = weights(axes)
         chosen = weight > _NO_WEIGHT
-        columns = np.broadcast_arrays(a[..., np.newaxis], np.exp(log_b)[:, np.newaxis], LAPSES)
-        total = float(weight[chosen].sum())
-        return cls(middle, *(column[chosen] for column in columns), weight[chosen] / total, effect)
+        columns = np.broadcast_arrays(
+            axes[0][:, np.newaxis, np.newaxis], np.exp(axes[1])[:, np.newaxis], LAPSES
+        )
+        a, b, lapse = (column[chosen] for column in columns)
+        return cls(middle, a, b, lapse, weight[chosen] / weight[chosen].sum(), effect)
 
     def _shares(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return p of each point at each coordinate, shape (points, coordinates)."""
         z = self.a[:, np.newaxis] + self.b[:, np.newaxis] * (u - self.middle)
         lapse = self.lapse[:, np.newaxis]
         return lapse + (1.0 - 2.0 * lapse) * expit(z)
+
+    def mean(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the mean of the probability at coordinates."""
+        return self.weight @ self._shares(u)
 
     def probability(self, u: ArrayLike, confidence: float = CONFIDENCE) -> NDArray[np.float64]:
         """Return lower end, median and upper end of the probability at coordinates, shape (3, ...)."""
@@ -240,7 +253,7 @@ class RunsAround:
         confidence = 1.0 - (1.0 - CONFIDENCE) / comparisons
         fits, u = (self.fit(), other.fit()), self.u[both][known]
         (l1, p1, u1), (l2, p2, u2) = (fit.probability(0.0, confidence).tolist() for fit in fits)
-        expected = [fit.weight @ fit._shares(u) for fit in fits]
+        expected = [fit.mean(u) for fit in fits]
         r1, r2 = (runs.happened[both][known] - p for runs, p in zip((self, other), expected, strict=True))
         scatter = np.prod([_SHRINKS * 0.25 + (p * (1.0 - p)).sum() for p in expected])
         alike = max(0.0, float((r1 * r2).sum()) / math.sqrt(scatter))

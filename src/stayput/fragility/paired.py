@@ -153,8 +153,8 @@ def difference_of_runs(
         As of `difference`.
     """
     more, fewer = first & ~second & ~missing, second & ~first & ~missing
-    d = np.bincount(motion, more.astype(np.float64) - fewer)
-    n = np.bincount(motion, ~missing)
+    d = np.bincount(motion, more.astype(np.float64) - fewer).astype(np.float64)
+    n = np.bincount(motion, ~missing).astype(np.float64)
     d, n = d[n > 0.0], n[n > 0.0]
     lost, pairs, up, down = int(missing.sum()), int(n.sum()), int(more.sum()), int(fewer.sum())
     if pairs == 0:

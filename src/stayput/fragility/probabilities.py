@@ -304,7 +304,7 @@ def effect_of_residuals(
     expected: NDArray[np.float64],
     motion: NDArray[np.intp],
 ) -> float:
-    """Return the design effect of counts from how far they are from the expected ones, as `design_effect` does.
+    """Return the design effect of counts from how far they are from those expected; see `design_effect`.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Simulating Monte Carlo samples in the plane: at one level of shaking, and at many to find where each draw falls."""
+"""Simulating Monte Carlo samples in the plane, also to find from which level on each draw falls."""
 
 from __future__ import annotations
 
@@ -181,8 +181,8 @@ def run_prepared(rows: Sequence[Rows], floor: PreparedFloor, start: int = 0) -> 
         broken.append((failed(motion_elements, devices).sum(axis=-1) > 0).reshape(len(rows), -1))
     of_pieces = np.concatenate(results, axis=1)
     without_free_slide(of_pieces, np.array([piece_rows.free_slide for piece_rows in rows])[:, np.newaxis])
-    each = zip(of_pieces, np.concatenate(broken, axis=1), strict=True)
-    return [Outcomes.of(members, *outcomes) for outcomes in each]
+    any_broken = np.concatenate(broken, axis=1)
+    return [Outcomes.of(members, of_pieces[k], any_broken[k]) for k in range(len(rows))]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -133,7 +133,6 @@ def action_plan(
         asked,
         scenario=scenario,
         options=(replace(planner.as_it_is, rank=1),),
-        samples=contest.settings.samples,
         runs=made.done,
         seconds=time.perf_counter() - began,
         complete=True,

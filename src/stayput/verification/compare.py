@@ -90,7 +90,6 @@ def compare(
                 options=verdicts_of(contest, race.options, race.runs, **more),
                 estimates=estimates,
                 motions=settings.motions,
-                samples=settings.samples,
                 runs=count.done,
                 seed=settings.seed,
                 seconds=time.perf_counter() - began,
@@ -272,6 +271,7 @@ def option_verdict(
     return OptionVerdict(
         option=option,
         rank=0,
+        runs=len(runs.members),
         probabilities=runs.probabilities(limit),
         change=change(runs, bare),
         slid=change(runs, bare, moved=True),

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, shown
 from stayput.montecarlo.counting import OVERTURNED, SLID, Member, Quantiles
 from stayput.saved import InJson
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.axes import Axes
 
-    from stayput.catalogue import Phrase
     from stayput.fragility.curve import Capacity, FragilityCurve
     from stayput.fragility.intensity_measures import IntensityMeasure
     from stayput.fragility.paired import Difference
@@ -143,6 +143,8 @@ class OptionVerdict:
         What is in place.
     rank : int
         1 for the best; options whose differences are unclear share a rank, as in 1, 1, 3.
+    runs : int
+        How many runs there are of it.
     probabilities : mapping of str to Probability
         Of each of `EVENTS` for any of the pieces that count (`Scenario.counted`), at the scenario's shaking.
     change : Difference, optional
@@ -171,6 +173,7 @@ class OptionVerdict:
 
     option: Option
     rank: int
+    runs: int
     probabilities: Mapping[str, Probability]
     change: Difference | None
     slide: Quantiles
@@ -258,8 +261,8 @@ class Verdict(InJson):
     options : tuple of OptionVerdict
         The best first; exactly one of them has nothing in place, or is the scene as stated: it stands before
         those that do not clearly differ from it.
-    motions, samples : int
-        Motions, and Monte Carlo samples of each.
+    motions : int
+        Motions.
     runs : int
         Simulations that were made.
     seed : int
@@ -291,8 +294,8 @@ class Verdict(InJson):
     ... )
     >>> verdict.best.option.name, verdict.best.probabilities["overturned"].estimate
     ('l_bracket', 0.0)
-    >>> verdict.motions, verdict.samples  # of each motion: 8 in all
-    (4, 2)
+    >>> verdict.motions, verdict.best.runs  # two draws under each motion
+    (4, 8)
     >>> [option.option.name for option in verdict], float(verdict["l_bracket"].probabilities["overturned"])
     (['l_bracket', 'none'], 0.0)
     """
@@ -302,7 +305,6 @@ class Verdict(InJson):
     slide_limit: float
     options: tuple[OptionVerdict, ...]
     motions: int
-    samples: int
     runs: int
     seed: int
     seconds: float
@@ -318,9 +320,15 @@ class Verdict(InJson):
             f"{option.option.name} {option.probabilities[OVERTURNED].text}" for option in self.options[:3]
         )
         more = f", and {len(self.options) - 3} more" if len(self.options) > 3 else ""
-        made = f"{self.motions} × {self.samples} runs each"
+        made = f"{self.runs_each[0]} runs each under {self.motions} motions"
         draft = "" if self.complete else "; not complete"
         return f"Verdict(JMA {self.intensity:.2f}; overturned: {ranked}{more}; {made}{draft})"
+
+    @property
+    def runs_each(self) -> Phrase:
+        """How many runs there are of each option, in both languages: "40", "16 to 43"."""
+        least, most = (pick(option.runs for option in self.options) for pick in (min, max))
+        return phrase("fragility.ends", low=least, high=most) if least < most else (f"{least}", f"{least}")
 
     def __iter__(self) -> Iterator[OptionVerdict]:
         return iter(self.options)

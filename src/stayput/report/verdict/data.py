@@ -82,7 +82,7 @@ def verdict_dataset(verdict: Verdict) -> xr.Dataset:
             "event": events,
             "bound": bound,
         },
-        attributes(verdict, "motions", "samples", "runs", "seed", "intensity"),
+        attributes(verdict, "motions", "runs", "seed", "intensity"),
     )
     for name, unit in (("slide", "m"), ("tilt", "rad")):
         for part in ("median", "p90"):
@@ -230,7 +230,7 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         "motion_floor": verdict.floor or None,
         "strength": strength_data(verdict.scenario, verdict.motions),
         "slide_limit_m": verdict.slide_limit,
-        **attributes(verdict, "motions", "samples", "runs"),
+        **attributes(verdict, "motions", "runs"),
         **attributes(verdict, "seed", "precise", "seconds", "complete"),
         "engine": "plane" if verdict.scenario.dimensions == 2 else "space",
         "components": list(verdict.scenario.components),
@@ -340,6 +340,7 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
         "helps": result.helps,
         "better": list(result.better),
         "worse": list(result.worse),
+        "runs": result.runs,
         "typical": {"motion": result.typical.motion, "sample": result.typical.sample},
         "devices": [_device(device) for device in result.devices],
         "contents": None if result.contents is None else contents_data(result.contents),

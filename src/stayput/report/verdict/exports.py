@@ -183,7 +183,8 @@ def write_nrml(curves: Sequence[FragilityCurve], path: str | Path, description: 
     Parameters
     ----------
     curves : sequence of FragilityCurve
-        Curves of several motions with different names, whose medians are known, over PGA, PGV, Sa(T), MMI or JMA's intensity.
+        Curves of several motions with different names, whose medians are known, over PGA, PGV, Sa(T), MMI or
+        JMA's intensity.
     path : str or Path
         The file, whose name ends in .xml.
     description : str
