@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 METHOD = "logit"
 """Name of the method by which every curve is fitted, in data and texts."""
 
-REACH = 0.4
-"""How far a curve goes beyond what was run, in e-folds of the shaking: 0.35 of JMA's intensity.
+REACH = 0.41
+"""How far a curve goes beyond what was run, in e-folds of the shaking: 0.36 of JMA's intensity.
 
 The usual runs are at the stated shaking and at 0.4 of intensity to either side, so that the curve is told to
 within 0.75 of the stated one. Farther out the prior of the slope says more than the runs."""

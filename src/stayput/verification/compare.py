@@ -222,7 +222,7 @@ def verdicts_of(
 
     order = in_order(verdicts)
     if contest.scenario.plan is None:  # both are shown under the same draw
-        both = paired(outcomes[0], outcomes[order[0]])
+        both = (runs.stated for runs in paired(outcomes[0], outcomes[order[0]]))
         verdicts[0] = replace(verdicts[0], typical=typical_of(*both))
     ordered, limit = [verdicts[i] for i in order], contest.settings.slide_limit
     ranks = ranks_of(ordered, [outcomes[i] for i in order], limit)

@@ -32,8 +32,11 @@ HALF_WIDTHS = {2: 0.10, 3: 0.16}
 
 A run in the plane takes a tenth of the time of one in space."""
 
+NEAR = 0.1
+"""How much less often the best overturns than one that must be known as well: their order is open."""
+
 RUNNER_UP, BEATEN = 1.25, 1.9
-"""Factors on it for options that may still be the best, and for those that cannot be."""
+"""Factors on the half-width for other options: those that may still be the best, and those that cannot be."""
 
 
 class Race:
@@ -82,11 +85,12 @@ class Race:
         self._run_to(dict.fromkeys([0, *self._in_order()[:LEADERS]], 2 * STEP))
         yield
         while True:
-            open_ones = [number for number in everyone if not self._known(number)]
-            going = {number: len(self.runs[number].members) + STEP for number in open_ones}
-            going = {number: min(count, most) for number, count in going.items() if count < most + STEP}
+            best = next(iter(self._in_order()), 0)
+            unknown = [number for number in everyone if not self._known(number, best)]
+            done = {number: len(self.runs[number].members) for number in unknown}
+            going = {number: min(count + STEP, most) for number, count in done.items() if count < most}
             if not going:
-                self.precise = not open_ones
+                self.precise = not unknown
                 return
             self._run_to(going)
             yield
@@ -115,24 +119,32 @@ class Race:
         known, limit = ~(option.missing | bare.missing), self.contest.settings.slide_limit
         if not known.any():
             return (np.inf,)
-        flags = ((each.overturned, each.moved(limit)) for each in (option, bare))
-        less = (float(now[known].mean() - then[known].mean()) for now, then in zip(*flags, strict=True))
+        sliding = float(option.moved(limit)[known].mean() - bare.moved(limit)[known].mean())
+        less = self._overturning(number), sliding, self.options[number].count
         if self.contest.scenario.plan is None:
-            return (*less, self.options[number].count)
+            return less
         harm, before = (
             harm_of(hardest(each), self.contest.plan(self.options[number]).places, ~known)
             for each in (option, bare)
         )
-        return harm - before, *less, self.options[number].count
+        return harm - before, *less
 
-    def _known(self, number: int) -> bool:
+    def _overturning(self, number: int) -> float:
+        """Return by how much it overturns more often than without anything, run by run."""
+        option, bare = paired(self.runs[number], self.runs[0])
+        known = ~(option.missing | bare.missing)
+        more = option.overturned[known].mean() - bare.overturned[known].mean() if known.any() else np.inf
+        return float(more)
+
+    def _known(self, number: int, best: int) -> bool:
         """Return whether what people read of an option is known well enough."""
-        settings, dimensions = self.contest.settings, 2 if self.contest.in_plane else 3
-        target = settings.precision or HALF_WIDTHS[dimensions]
-        order = [number for number in self._in_order() if self._gain(number)[0] < np.inf]
-        best = order[0] if order else 0
+        precision = self.contest.settings.precision
+        target = HALF_WIDTHS[2 if self.contest.in_plane else 3] if precision is None else precision
         if number not in (0, best):
-            target *= BEATEN if self._beaten(number, best) else RUNNER_UP
+            if self._beaten(number, best):
+                target *= BEATEN
+            elif self._overturning(number) > self._overturning(best) + NEAR:
+                target *= RUNNER_UP
         chance = self._chance(self.runs[number])
         return chance.runs > 0 and chance.half_width <= target
 
@@ -150,6 +162,6 @@ class Race:
 
 
 def paired(first: Runs, second: Runs) -> tuple[Runs, Runs]:
-    """Return the runs at the stated shaking that two options both have."""
+    """Return the runs that two options both have."""
     both = slice(min(len(first.members), len(second.members)))
-    return first.chosen(both).stated, second.chosen(both).stated
+    return first.chosen(both), second.chosen(both)
