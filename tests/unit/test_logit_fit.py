@@ -122,7 +122,7 @@ def test_difference_holds_the_truth_and_is_sharpened_by_pairs() -> None:
         common = rng.standard_normal(40)
         own = 0.5 * rng.standard_normal((2, 40))
         load = (np.sqrt(0.75) * common + own) * 1.702 / slope
-        bare, with_it = (LEVEL + middle / slope - less + part > 0.0 for less, part in zip((0.0, gain), load))
+        bare, with_it = LEVEL + middle / slope - np.array([[0.0], [gain]]) + load > 0.0
         first, second = around(with_it), around(bare)
         found = first.difference(second)
         true = _probit(middle - gain * slope) - _probit(middle)
