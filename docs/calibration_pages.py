@@ -80,11 +80,14 @@ class Simulated:
         bare, held = (rows_of(body, room, measures, drawn, 9.81) for measures in sets)
 
         def fell(intensity: float) -> NDArray[np.bool_]:
-            return run_level([bare], scaled_motions.at(intensity))[0].overturned
+            return run_level([bare], scaled_motions.at(intensity))[0].overturned.reshape(MOTIONS, DRAWS)
 
-        without, with_it = run_level([bare, held], scaled_motions.at(HERE))
+        without, with_it = (
+            runs.overturned.reshape(MOTIONS, DRAWS)
+            for runs in run_level([bare, held], scaled_motions.at(HERE))
+        )
         by_level = np.stack([fell(float(level)) for level in self.levels])
-        return Falls(by_level, without.overturned, with_it.overturned, fell(WEAK))
+        return Falls(by_level, without, with_it, fell(WEAK))
 
     def truth(self) -> dict[str, float]:
         """Return the true value of each of `QUANTITIES`."""

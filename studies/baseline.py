@@ -278,7 +278,7 @@ def run_baselines(rows: Sequence[Rows], scaled_motions: ScaledMotions) -> xr.Dat
         not reached, over ``row``; ``share`` that overturns, over ``row`` and ``level``.
     """
     floors_at = cache(scaled_motions.at)
-    falls = run_levels(rows, LEVELS, floors_at, progress=lambda _: None)
+    falls = run_levels(rows, LEVELS, floors_at)
     medians: list[list[float]] = []
     for im in (PFV, JMA_INTENSITY):
         strength = np.stack([floors_at(float(level)).measures[im] for level in LEVELS])
