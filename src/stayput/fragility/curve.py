@@ -86,7 +86,7 @@ class Capacity:
         return self.texts[0]
 
 
-class Lognormal(NamedTuple):
+class LognormalParameters(NamedTuple):
     """The curve Φ((u − μ)/β) nearest to a fit: lognormal over a peak, normal over an intensity.
 
     Parameters
@@ -225,10 +225,10 @@ class FragilityCurve(InJson):
         return Capacity(self.measure, share, *(float(self.measure.value(end)) for end in each))
 
     @cached_property
-    def lognormal(self) -> Lognormal | None:
+    def lognormal(self) -> LognormalParameters | None:
         """The lognormal curve nearest to the fit, for loss tools; none where its median is not known."""
         median = self.capacity().estimate
-        return None if math.isnan(median) else Lognormal(median, PROBIT / self.fit.slope)
+        return None if math.isnan(median) else LognormalParameters(median, PROBIT / self.fit.slope)
 
     @property
     def lognormal_texts(self) -> Phrase:

@@ -227,7 +227,7 @@ class RunsAround:
             return Probability(math.nan, 0.0, 1.0, 0, 0, 0, lost, math.nan)
         fit = self.fit()
         each = self.fit(missing_as=False), fit, self.fit(missing_as=True)
-        low, estimate, high = (float(one.probability(0.0)[end]) for end, one in enumerate(each))
+        low, estimate, high = (float(fitted.probability(0.0)[end]) for end, fitted in enumerate(each))
         counts = int((self.happened & runs).sum()), int(runs.sum()), len(np.unique(self.motion[runs]))
         return Probability(estimate, low, high, *counts, lost, fit.design_effect)
 

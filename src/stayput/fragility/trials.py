@@ -134,8 +134,9 @@ class Trials:
         groups : int
             Groups of about equal size for which shares are observed; runs of one intensity are in one group.
         """
-        values = np.unique(im)
-        level = np.searchsorted(values, im) if len(values) <= groups else _groups(im, groups)
+        # of one level up to rounding; motions of one level differ in other measures
+        values, level = np.unique(measure.coordinate(im).round(9), return_inverse=True)
+        level = level if len(values) <= groups else _groups(im, groups)
         return cls._of_cells(measure, im, fell & ~missing, ~missing, level, motion, int(missing.sum()))
 
     @classmethod

@@ -175,7 +175,7 @@ def run_prepared(rows: Sequence[Rows], floor: PreparedFloor, start: int = 0) -> 
         of_motion = slice(motion * samples, (motion + 1) * samples)
         motion_cases = cases[:, of_motion].ravel()
         motion_cases["scale"] = floor.scales[motion]
-        motion_elements = elements[:, of_motion].reshape(len(motion_cases), -1)
+        motion_elements = np.ascontiguousarray(elements[:, of_motion]).reshape(len(motion_cases), -1)
         result, devices = run_rows(motion_cases, motion_elements, shaking)
         results.append(result.reshape(len(rows), -1))
         broken.append((failed(motion_elements, devices).sum(axis=-1) > 0).reshape(len(rows), -1))

@@ -17,7 +17,7 @@ from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY, Inten
 from stayput.fragility.trials import Trials
 from stayput.measures.element import weakest
 from stayput.mechanics.devices.columns import HOLDS
-from stayput.montecarlo.counting import Members, Outcomes, Quantiles, worst_of
+from stayput.montecarlo.counting import OFFSETS, Members, Outcomes, Quantiles, worst_of
 from stayput.montecarlo.sampling import Settings
 from stayput.montecarlo.scaled_motions import FloorMotions, ScaledMotions
 from stayput.motion.intensity import INTENSITY_RANGE
@@ -166,10 +166,6 @@ def _as_installed(
     return AsInstalled(share, how, ends[1], usual)
 
 
-GROUPS = 3
-"""Groups for which shares are counted, where no levels are asked for: as many as there are levels."""
-
-
 def _curves(name: str, floors: FloorMotions, runs: Sequence[Runs]) -> dict[IntensityMeasure, FragilityCurve]:
     """Return the curves of an option from all its runs."""
     made = Outcomes.joined([each.outcomes for each in runs])
@@ -183,7 +179,7 @@ def _curves(name: str, floors: FloorMotions, runs: Sequence[Runs]) -> dict[Inten
                 made.overturned,
                 made.missing,
                 made.members.motion,
-                max(GROUPS, len(runs) - 1),
+                len(OFFSETS) if len(runs) == 1 else len(runs),
             ),
         )
         for im, values in floors.measures.items()
