@@ -52,16 +52,15 @@ class ShareReply(PartReply):
 
 
 class CurveReply(Reply):
-    """Probability of overturning over the ground's JMA intensity; no band where there was one motion."""
+    """Probability of overturning over the ground's JMA intensity: a fit to all runs, with its 95 % band."""
 
-    state: str
     method: str
     text: str
     intensity: list[float]
-    probability: list[float] | None
-    low: list[float] | None
-    high: list[float] | None
-    observed: list[ShareReply] = Field(description="At the levels that were run, each an intensity `im`.")
+    probability: list[float]
+    low: list[float]
+    high: list[float]
+    observed: list[ShareReply] = Field(description="Shares of groups of runs, each of an intensity `im`.")
 
 
 class ZoneReply(Reply):
@@ -111,6 +110,7 @@ class OptionReply(PartReply):
     grade: str = Field(description="How well founded its numbers are: A, B or C; see grades.")
     weakest: list[Words] = Field(description="The inputs of that grade.")
     yours: bool
+    runs: int = Field(description="How often it ran; what is not as good may have run less often.")
     probabilities: dict[str, ShareReply]
     overturned_change: ShareReply | None = Field(description="Less the probability without measures.")
     pieces: list[PieceVerdictReply]
@@ -131,15 +131,14 @@ class EverydayReply(Reply):
 class VerdictReply(PartReply):
     """The outcome of a verification, the best option first."""
 
-    complete: bool = Field(description="Whether it is final; else samples or curves are still to come.")
+    complete: bool = Field(description="Whether it is final; else more runs are still to come.")
     verdict: Words
     left_out: Words | None = Field(description="What the numbers leave out of the shaking.")
     notes: list[Words] = Field(description="What must be said beside the numbers.")
     grades: dict[str, Words] = Field(description="What each grade of inputs means.")
     jma_intensity: float | None
     motions: int
-    samples: int
-    runs: int
+    runs: int = Field(description="Of all options together.")
     seconds: float
     options: list[OptionReply]
     not_possible: list[dict[str, Any]] = Field(description="Options that cannot be put in place, and why.")

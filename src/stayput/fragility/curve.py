@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stayput.catalogue import Phrase, phrase
-from stayput.errors import within
+from stayput.errors import instance_of, within
 from stayput.fragility.fit import EFOLDS, LogitFit
 from stayput.fragility.trials import Level, Trials, observed_levels
 from stayput.saved import InJson
@@ -126,6 +126,10 @@ class FragilityCurve(InJson):
 
     name: str
     trials: Trials
+
+    def __post_init__(self) -> None:
+        instance_of("name", self.name, str)
+        instance_of("trials", self.trials, Trials)
 
     def __repr__(self) -> str:
         return f"FragilityCurve({self.name!r}, {self.measure.key}; {self.capacity().text})"

@@ -71,7 +71,7 @@ class Race:
         """Make all runs of all options, and yield after each part of them."""
         most, count = len(self.contest.members), STEP
         while True:
-            self._run_to(dict.fromkeys(range(len(self.options)), min(count, most)))
+            self._run_to(dict.fromkeys(range(len(self.options)), count))
             yield
             if count >= most:
                 return
@@ -88,7 +88,7 @@ class Race:
             best = next(iter(self._in_order()), 0)
             unknown = [number for number in everyone if not self._known(number, best)]
             done = {number: len(self.runs[number].members) for number in unknown}
-            going = {number: min(count + STEP, most) for number, count in done.items() if count < most}
+            going = {number: count + STEP for number, count in done.items() if count < most}
             if not going:
                 self.precise = not unknown
                 return
@@ -96,10 +96,12 @@ class Race:
             yield
 
     def _run_to(self, counts: dict[int, int]) -> None:
-        """Run options until they have so many runs."""
+        """Run options until they have so many runs, as far as there are members."""
+        most = len(self.contest.members)
         self.runs += [None] * (len(self.options) - len(self.runs))  # type: ignore[list-item]
         spans = dict[tuple[int, int, bool], list[int]]()
-        for number, count in counts.items():
+        for number, asked in counts.items():
+            count = min(asked, most)
             done = len(self.runs[number].members) if self.runs[number] else 0
             if done < count:
                 spans.setdefault((done, count, number < self._tracked), []).append(number)
