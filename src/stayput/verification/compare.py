@@ -94,7 +94,7 @@ def compare(
                 seed=settings.seed,
                 seconds=time.perf_counter() - began,
                 levels=asked,
-                precise=race.precise,
+                precise=race.precise or settings.precision is None,
                 impossible=impossible,
                 complete=False,
                 floor=floors.floor,

@@ -152,10 +152,9 @@ class Race:
 
     def _chance(self, runs: Runs) -> Probability:
         """Return the probability that people read first: that somebody is hit, or that it overturns."""
-        plan = self.contest.scenario.plan
-        return runs.probability(
-            runs.overturned if plan is None or not plan.places else events_of(runs)["hit"]
-        )
+        in_room = self.contest.scenario.plan is not None
+        hit_is_read = in_room and len(self.contest.plan(self.options[0]).places) > 0
+        return runs.probability(events_of(runs)["hit"] if hit_is_read else runs.overturned)
 
     def _beaten(self, number: int, best: int) -> bool:
         option, first = self.runs[number], self.runs[best]
