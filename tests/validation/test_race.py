@@ -1,7 +1,7 @@
 """The race of options against synthetic ones whose shares are known: who wins, and what the intervals hold.
 
-An option falls in a run where its capacity is below the shaking. It is normal in JMA's intensity and partly that
-of the motion, and one run in a hundred goes the other way.
+An option falls in a run where its capacity is below the shaking. It is normal in JMA's intensity and partly
+that of the motion, and one run in a hundred goes the other way.
 """
 
 from __future__ import annotations

@@ -120,7 +120,7 @@ def compare(
         more["inside"] = contents_verdicts(contest, options)
         if len(asked):
             more["at_levels"] = [
-                contest.run(options, Members.of_samples(settings.motions, settings.samples, level=1 + level))
+                contest.run(race.options, Members.of_samples(settings.motions, settings.samples, level=1 + level))
                 for level in range(len(asked))
             ]
         verdict = so_far(**more)
