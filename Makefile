@@ -78,7 +78,7 @@ bench: $(STAMP)-test
 	$(BIN)/python benchmarks/building.py
 	$(BIN)/python benchmarks/devices.py
 	$(BIN)/python benchmarks/start.py
-	$(BIN)/python benchmarks/verification.py
+	$(BIN)/python benchmarks/verification.py speed
 	$(BIN)/python benchmarks/space.py
 	$(BIN)/python benchmarks/room.py
 

@@ -20,6 +20,7 @@ import stayput as sp
 from stayput.measures import MEASURES
 from stayput.mechanics.columns import OVERTURNED_OUTCOME
 from stayput.montecarlo.counting import SLIDE_LIMIT
+from stayput.montecarlo.scene_draws import drawn_shaking
 from stayput.montecarlo.scenes import trace_draw
 from stayput.scenario import read
 from stayput.simulation.space import results_of
@@ -67,12 +68,16 @@ def ranked(turns: int) -> Table:
 
 
 def overturned(contest: Contest, option: Option, body: int, step: float) -> list[bool]:
-    """Return whether a piece overturns with an option, run by run, at a longest step [s]."""
+    """Return whether a piece overturns with an option, by motion and sample, at a longest step [s]."""
     scene, found = contest.scene(option).part((body,)), list[bool]()
-    for member in contest.members:
-        shaking, draw = contest.runner.shaking(*member), contest.runner.draw(*member[:2]).of((body,))
-        traced = trace_draw(scene, draw, shaking, contest.settings.gravity, step=step)
-        found.append(bool((results_of(traced, shaking.times)["outcome"] == OVERTURNED_OUTCOME).any()))
+    floors, gravity = contest.floors, contest.settings.gravity
+    for motion in range(len(floors.motions)):
+        for sample in range(contest.settings.samples):
+            draw = contest.runner.draw(motion, sample)
+            shaking = drawn_shaking(floors.motions[motion], float(floors.scales[motion]), draw, gravity)
+            traced = trace_draw(scene, draw.of((body,)), shaking, gravity, step=step)
+            outcome = results_of(traced, shaking.times)["outcome"]
+            found.append(bool((outcome == OVERTURNED_OUTCOME).any()))
     return found
 
 

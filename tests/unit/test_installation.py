@@ -81,7 +81,7 @@ def test_what_is_said_of_gypsum_board_is_what_the_bracket_holds():
 def test_installed_well_is_the_default_and_costs_nothing(usual):
     well = verdict_of()
     assert all(result.installed is None for result in well.options)
-    assert usual.runs == well.runs + 2 * well.without.runs
+    assert usual.runs == well.runs + 2 * well.motions * well.samples
     for name, result in by_name(well).items():
         assert by_name(usual)[name].probabilities == result.probabilities
     assert verdict_of(0.0).runs == well.runs

@@ -110,7 +110,6 @@ def made(**changed):
     bare = OptionVerdict(
         option=scenario.stated,
         rank=3,
-        runs=MOTIONS * SAMPLES,
         probabilities=pieces[0].probabilities,
         change=None,
         slide=pieces[0].slide,
@@ -155,6 +154,7 @@ def made(**changed):
         options=(*others, bare),
         complete=True,
         motions=MOTIONS,
+        samples=SAMPLES,
         runs=4321,
         slide_limit=0.15,
         seed=77,

@@ -52,7 +52,7 @@ def test_a_verdict_shows_its_ranking(verdict: sp.Verdict):
 
 def test_a_curve_shows_its_measure_and_capacity():
     trials = sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40])
-    shown = repr(sp.FragilityCurve("bookcase", trials))
+    shown = repr(sp.fragility_curve(trials, "bookcase"))
     assert shown.startswith("FragilityCurve('bookcase', PGA")
     assert len(shown) < 200
 

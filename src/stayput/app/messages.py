@@ -97,10 +97,7 @@ class VerifyRequest(VerificationRequest, MeasuredRequest):
     """A piece to be verified."""
 
     compare_usual: bool = Field(default=True, description="Whether the usual measures are compared too.")
-    curves: bool = Field(
-        default=True,
-        description="Whether curves are made: two in five runs are then at shaking beside the stated.",
-    )
+    curves: bool = Field(default=True, description="Whether fragility curves are made, which takes longer.")
 
 
 class RoomRequest(VerificationRequest):

@@ -298,31 +298,6 @@ def design_effect(
     return min(max(scatter / total / variance, 1.0), max(size, 1.0))
 
 
-def effect_of_residuals(
-    residuals: NDArray[np.float64],
-    runs: NDArray[np.float64],
-    expected: NDArray[np.float64],
-    motion: NDArray[np.intp],
-) -> float:
-    """Return the design effect of counts from how far they are from those expected; see `design_effect`.
-
-    Parameters
-    ----------
-    residuals, runs, expected : ndarray, shape (cells,)
-        Counts less the expected ones, runs, and the expected share.
-    motion : ndarray of int, shape (cells,)
-        The number of each cell's motion. Of one motion the effect is 1.
-    """
-    n = np.bincount(motion, runs)
-    if np.count_nonzero(n) < 2:
-        return 1.0
-    size, mean = float(n[n > 0.0].mean()), float(np.average(expected, weights=runs))
-    two_motions = _WEIGHT * (mean * mean + (1.0 - mean) ** 2)
-    scatter = float((np.bincount(motion, residuals) ** 2).sum()) + size * two_motions
-    variance = float((runs * expected * (1.0 - expected)).sum()) + two_motions
-    return min(max(scatter / variance, 1.0), max(size, 1.0))
-
-
 def wilson(k: float, n: float, quantile: float | None = None) -> tuple[float, float]:
     """Return Wilson's score interval of k of n independent runs.
 

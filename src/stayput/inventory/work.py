@@ -23,7 +23,7 @@ from stayput.inventory.folder import OUTCOMES
 from stayput.inventory.results import GROUND
 from stayput.inventory.shakemap import GroundLevel
 from stayput.inventory.store import OutcomeStore, Store, ground_of, record_type
-from stayput.montecarlo.counting import OVERTURNED, Members, Outcomes, Quantiles
+from stayput.montecarlo.counting import OVERTURNED, Outcomes, Quantiles
 from stayput.montecarlo.runs import run_prepared
 from stayput.montecarlo.sampling import DrawTable, Rows, Settings, draws, rows_of, sample_until_precise
 from stayput.montecarlo.scaled_motions import PreparedFloor, ScaledMotions
@@ -96,9 +96,8 @@ def evaluate(
         drawn = _draws(settings.motions, samples, settings.seed, start, as_stated=settings.as_stated)
         rows = [_rows_or_none(*pieces[place][:2], option, drawn, settings.gravity) for place in places]
         possible = [row for row in rows if row is not None]
-        outcomes = iter(run_prepared(possible, floor, start) if possible else ())
-        none = Outcomes.impossible(Members.of_samples(settings.motions, samples, start))
-        return [none if row is None else next(outcomes) for row in rows]
+        outcomes = iter(run_prepared(possible, floor) if possible else ())
+        return [Outcomes.impossible(drawn.shape) if row is None else next(outcomes) for row in rows]
 
     outcomes, _, _ = sample_until_precise(len(units), settings, run, together=False)
     for place, (outcome, (body, room, contents)) in enumerate(zip(outcomes, pieces, strict=True)):
@@ -146,11 +145,11 @@ def fill_record(out: NDArray[np.void], outcomes: Outcomes, slide_limit: float) -
     upright = outcomes.slide[~outcomes.missing & ~outcomes.overturned]
     mean = float(upright.sum() / len(upright)) if len(upright) else np.nan
     out["slide"][0] = (slide.median, slide.p90, mean)
+    motions, samples = outcomes.missing.shape
     planes, rows, columns = out["each"].shape[1:]
     each = np.zeros((planes, rows, 8 * columns), np.bool_)
     each[-1] = True
-    members = outcomes.members
-    each[:, members.motion, members.sample] = (*outcomes.happened(slide_limit), outcomes.missing)
+    each[:, :motions, :samples] = (*outcomes.happened(slide_limit), outcomes.missing)
     out["each"][0] = np.packbits(each, axis=-1)
 
 

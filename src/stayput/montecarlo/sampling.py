@@ -27,7 +27,7 @@ from stayput.uncertainty import QUANTITIES, Uncertainty
 if TYPE_CHECKING:
     from stayput.measures.measure import Held
     from stayput.model.room import Wall
-    from stayput.montecarlo.counting import Members, Outcomes
+    from stayput.montecarlo.counting import Outcomes
     from stayput.scenario import Scenario
 
 INSETS = ("back_inset", "front_inset")
@@ -67,11 +67,6 @@ class Settings:
     gravity: float
     as_stated: tuple[str, ...]
     quantities: Uncertainty = QUANTITIES
-
-    @property
-    def runs(self) -> int:
-        """Most runs."""
-        return self.motions * self.samples
 
     @classmethod
     def of(cls, scenario: Scenario, motions: int, slide_limit: float) -> Self:
@@ -133,11 +128,6 @@ class DrawTable:
         """Motions, and samples of each."""
         motions, samples = self.columns["mass"].shape
         return motions, samples
-
-    def of(self, members: Members) -> DrawTable:
-        """Return the draw of each run, shape (runs, 1)."""
-        place = members.motion, members.sample
-        return DrawTable({name: column[place][:, np.newaxis] for name, column in self.columns.items()})
 
     def __len__(self) -> int:
         return len(self.columns["mass"])

@@ -7,7 +7,7 @@ option that leaves it as it is.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import replace
 from functools import partial
@@ -31,7 +31,6 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.model.floor_plan import FloorPlan
     from stayput.model.state import State
-    from stayput.montecarlo.counting import Members
     from stayput.montecarlo.scaled_motions import FloorMotions
     from stayput.motion.record import Motion
     from stayput.scenario import Scenario
@@ -58,8 +57,8 @@ class GroupRun(NamedTuple):
     tracks: list[Any]
 
 
-KnownRuns: TypeAlias = dict[tuple[int, int, int], dict[str, GroupRun]]
-"""Runs of groups by motion, sample and level, by what tells the group."""
+KnownRuns: TypeAlias = dict[tuple[int, int], dict[tuple[str, float], GroupRun]]
+"""Runs of groups by motion and sample, by what tells the group and how long it lies."""
 
 
 class Seen(NamedTuple):
@@ -120,13 +119,13 @@ class SceneRunner:
         self._scenario, self.floors, self.threads = scenario, floors, threads
         self.advance, self._watch, self._counted = advance, watch, list(scenario.counted)
         self._gravity, self._initial = scenario.gravity, scenario.initial.state()
-        self._draws: list[list[DrawOfSeveral]] = [[] for _ in range(floors.each)]
+        self._draws: list[list[DrawOfSeveral]] = [[] for _ in floors.motions]
         self._known = {} if known is None else known
 
-    def anew(self, advance: Callable[[int], None]) -> SceneRunner:
-        """Return the same with the same draws, which knows of no run yet."""
-        runner = copy(self)
-        runner.advance, runner._known = advance, {}
+    def under(self, floors: FloorMotions, advance: Callable[[int], None] | None = None) -> SceneRunner:
+        """Return the same under other motions, which knows of no run yet; another ``advance`` if given."""
+        runner = copy(self)  # with the same draws
+        runner.floors, runner.advance, runner._known = floors, advance or self.advance, {}
         return runner
 
     def draw(self, motion: int, sample: int) -> DrawOfSeveral:
@@ -138,15 +137,15 @@ class SceneRunner:
                 known.extend(more)
         return self._draws[motion][sample]
 
-    def run(self, scenes: Sequence[Scene], members: Members, *, keep: bool = False) -> list[Runs]:
-        """Run scenes of the same pieces.
+    def run(self, scenes: Sequence[Scene], samples: int, start: int = 0, *, keep: bool = False) -> list[Runs]:
+        """Run scenes of the same pieces under samples of each motion.
 
         Parameters
         ----------
         scenes : sequence of Scene
             The pieces with each option, as stated.
-        members : Members
-            The runs.
+        samples, start : int
+            Samples of each motion, and how many come before them.
         keep : bool
             Whether the tracks of the pieces are kept.
 
@@ -155,70 +154,115 @@ class SceneRunner:
         InputError
             Measures that cannot be put in place, as stated or in one of the draws.
         """
+        shape = len(self.floors.motions), samples
         parts = [_Parts(scene) for scene in scenes]
-        ran: list[list[tuple[dict[Group, GroupRun], Seen]]] = [[] for _ in range(len(members))]
+        ran: dict[tuple[int, int], list[tuple[dict[Group, GroupRun], Seen]]] = {}
+        self.draw(0, start + samples - 1)  # all are drawn before threads ask for them
 
-        def run(number: int, motion: int, sample: int, level: int) -> None:
-            shaking = self.shaking(motion, sample, level)
+        def run(motion: int, sample: int) -> None:
+            shaking, ran[motion, sample] = self.shaking(motion, start + sample), []
             for of in parts:
-                group = partial(self._group, of, member=(motion, sample, level), shaking=shaking)
-                groups = run_in_groups(of.at_first, group, lambda ran: ran.tracks)
-                ran[number].append((groups, self._seen(of, groups)))
+                groups = self._groups(of, motion, start + sample, shaking)
+                ran[motion, sample].append((groups, self._seen(of, groups)))
 
-        self._draw_all(members)
         with Pool(self.threads) as pool:
-            for _ in pool.as_completed(partial(run, *member) for member in _numbered(members)):
+            for _ in pool.as_completed(partial(run, *place) for place in np.ndindex(*shape)):
                 self.advance(len(scenes))
         return [
-            _runs(members, [each[option] for each in ran], of.scene, self._counted, keep)
+            _runs([ran[place][option] for place in np.ndindex(*shape)], shape, of.scene, self._counted, keep)
             for option, of in enumerate(parts)
         ]
 
-    def devices_of(self, scene: Scene, body: int, members: Members) -> NDArray[np.void]:
-        """Return what became of what holds a piece: DEVICE, shape (runs, devices).
+    def falls(
+        self, scenes: Sequence[Scene], chosen: NDArray[np.bool_]
+    ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """Return which runs overturn and which are given up.
+
+        Parameters
+        ----------
+        scenes : sequence of Scene
+            The pieces with each option, as stated.
+        chosen : ndarray of bool, shape (scenes, motions, samples)
+            What is run; the other runs do neither.
+
+        Raises
+        ------
+        InputError
+            As for `run`.
+        """
+        parts = [_Parts(scene) for scene in scenes]
+        overturned, missing = np.zeros_like(chosen), np.zeros_like(chosen)
+        self.draw(0, chosen.shape[2] - 1)  # all are drawn before threads ask for them
+
+        def run(motion: int, sample: int) -> int:
+            wanted, shaking = np.flatnonzero(chosen[:, motion, sample]).tolist(), self.shaking(motion, sample)
+            for option in wanted:
+                outcomes = dict[int, int]()
+                # what a lone piece does after it lies changes nothing
+                lies = ENDS if len(scenes[option].pieces) == 1 else math.inf
+                for group, ran in self._groups(parts[option], motion, sample, shaking, lies).items():
+                    outcomes |= zip(group, ran.results["outcome"].tolist(), strict=True)
+                overturned[option, motion, sample] = OVERTURNED_OUTCOME in map(outcomes.get, self._counted)
+                missing[option, motion, sample] = FAILED_OUTCOME in outcomes.values()
+            return len(wanted)
+
+        places = np.argwhere(chosen.any(axis=0)).tolist()
+        with Pool(self.threads) as pool:
+            for _, count in pool.as_completed(partial(run, *place) for place in places):
+                self.advance(count)
+        return overturned, missing
+
+    def devices_of(self, scene: Scene, body: int, samples: int) -> NDArray[np.void]:
+        """Return what became of what holds a piece: DEVICE, shape (motions, samples, devices).
 
         It runs with what it runs together with from the beginning, whatever it meets.
         """
         of = _Parts(scene)
         group = next(group for group in of.at_first if body in group)
 
-        def run(motion: int, sample: int, level: int) -> NDArray[np.void]:
-            shaking = self.shaking(motion, sample, level)
-            ran = self._group(of, group, (motion, sample, level), shaking)
+        def run(motion: int, sample: int) -> NDArray[np.void]:
+            ran = self._group(of, group, motion, sample, self.shaking(motion, sample))
             return ran.devices[group.index(body)][0]
 
-        self._draw_all(members)
+        self.draw(0, samples - 1)
         with Pool(self.threads) as pool:
-            rows = [*pool.in_order(partial(run, *member) for member in members)]
+            places = np.ndindex(len(self.floors.motions), samples)
+            rows = [*pool.in_order(partial(run, *place) for place in places)]
         self.advance(len(rows))
-        return np.array(rows)
+        return np.array(rows).reshape(len(self.floors.motions), samples, -1)
 
-    def _draw_all(self, members: Members) -> None:
-        """Draw what members need, before threads ask for it."""
-        self.draw(0, int(members.sample.max(initial=0)))
-
-    def shaking(self, motion: int, sample: int, level: int = 0) -> SpaceShaking:
-        """Return how the floor shakes in a run."""
-        place = level * self.floors.each + motion
-        floor, scale = self.floors.motions[place], float(self.floors.scales[place])
+    def shaking(self, motion: int, sample: int) -> SpaceShaking:
+        """Return how the floor shakes in a member."""
+        floor, scale = self.floors.motions[motion], float(self.floors.scales[motion])
         return drawn_shaking(floor, scale, self.draw(motion, sample), self._gravity)
 
+    def _groups(
+        self, of: _Parts, motion: int, sample: int, shaking: SpaceShaking, lies: float = math.inf
+    ) -> dict[Group, GroupRun]:
+        """Return the runs of the groups of a scene, as they are after all meetings."""
+        run = partial(self._group, of, motion=motion, sample=sample, shaking=shaking, lies=lies)
+        return run_in_groups(of.at_first, run, lambda ran: ran.tracks)
+
     def _group(
-        self, of: _Parts, group: Group, member: tuple[int, int, int], shaking: SpaceShaking
+        self,
+        of: _Parts,
+        group: Group,
+        motion: int,
+        sample: int,
+        shaking: SpaceShaking,
+        lies: float = math.inf,
     ) -> GroupRun:
         """Run a group, or return its run where it is known."""
-        (part, called, key), known = of.part(group), self._known.setdefault(member, {})
-        if key not in known:
-            draw = self.draw(*member[:2]).of(group)
+        (part, called, key), known = of.part(group), self._known.setdefault((motion, sample), {})
+        if (key, lies) not in known:
+            draw = self.draw(motion, sample).of(group)
             reached = len(of.at_first) > 1 or of.scene.plan is not None
-            # what a lone piece does after it lies changes nothing
-            lies = ENDS if len(group) == 1 else math.inf
             traced = trace_draw(part, draw, shaking, self._gravity, called, self._initial, lies=lies)
             ran = _group_run(traced, shaking, tracked=reached)
             if FAILED_OUTCOME in ran.results["outcome"]:  # as those are that an exception has cut off
                 return ran
-            known[key] = ran
-        return known[key]
+            known[key, lies] = ran
+        return known[key, lies]
 
     def _seen(self, of: _Parts, groups: dict[Group, GroupRun]) -> Seen:
         """Return what happened in the room in the runs of the groups of a scene."""
@@ -229,10 +273,6 @@ class SceneRunner:
         for group, ran in groups.items():
             tracks |= zip(group, ran.tracks, strict=True)
         return self._watch(of.scene.plan, [tracks[body] for body in sorted(tracks)])
-
-
-def _numbered(members: Members) -> Iterator[tuple[int, int, int, int]]:
-    return ((number, *member) for number, member in enumerate(members))
 
 
 class _Parts:
@@ -310,46 +350,44 @@ def replay(
 
 
 def _runs(
-    members: Members,
-    ran: Sequence[tuple[dict[Group, GroupRun], Seen]],
+    members: Sequence[tuple[dict[Group, GroupRun], Seen]],
+    shape: tuple[int, int],
     scene: Scene,
     counted: list[int],
     keep: bool,
 ) -> Runs:
-    """Return the runs of an option."""
-    shape = len(members), len(scene.pieces)
-    results, tracks = np.zeros(shape, RESULT), np.empty(shape, object)
-    columns = list[Any]()
-    for run, (groups, _) in enumerate(ran):
+    """Return the runs of an option, by motion and by sample within it."""
+    count = len(scene.pieces)
+    results = np.zeros((*shape, count), RESULT)
+    columns, tracks = list[Any](), np.empty((*shape, count), object)
+    for place, (groups, _) in zip(np.ndindex(*shape), members, strict=True):
         of_pieces, of_joints = dict[int, Any](), dict[int, Any]()
-        for group, of_group in groups.items():
-            each = zip(group, of_group.results, of_group.devices, of_group.tracks, strict=False)
-            for number, result, devices, track in each:
-                results[run, number], of_pieces[number], tracks[run, number] = result, devices, track
+        for group, ran in groups.items():
+            for number, result, held, track in zip(group, ran.results, ran.devices, ran.tracks, strict=False):
+                results[(*place, number)], of_pieces[number] = result, held
+                tracks[(*place, number)] = track
             inside = [n for n, joint in enumerate(scene.joints) if joint.first in group]
             of_joints |= {
-                n: tuple(column[k : k + 1] for column in of_group.devices[-1]) for k, n in enumerate(inside)
+                n: (ran.devices[-1][0][k : k + 1], ran.devices[-1][1][k : k + 1])
+                for k, n in enumerate(inside)
             }
-        in_order = (
-            *map(of_pieces.__getitem__, range(shape[1])),
-            *map(of_joints.__getitem__, sorted(of_joints)),
-        )
-        columns.append([np.concatenate(column) for column in zip(*in_order, strict=True)])
-    devices, used = (np.array(column) for column in zip(*columns, strict=True))
-    seen = zip(*(seen for _, seen in ran), strict=True)
-    counted_results = results[:, counted]
+        held = *map(of_pieces.__getitem__, range(count)), *map(of_joints.__getitem__, sorted(of_joints))
+        columns.append([np.concatenate(column) for column in zip(*held, strict=True)])
+    devices, used = (np.array(column).reshape(*shape, -1) for column in zip(*columns, strict=True))
+    seen = zip(*(seen for _, seen in members), strict=True)
+    watched = [np.array(column).reshape(*shape, *np.shape(column[0])) for column in seen]
+    counted_results = results[..., counted]
     return Runs(
-        members,
-        overturned=(counted_results["outcome"] == OVERTURNED_OUTCOME).any(axis=1),
-        missing=(results["outcome"] == FAILED_OUTCOME).any(axis=1),
-        hit_wall=np.any(counted_results["wall_impacts"] > 0, axis=1),
-        device_failed=(devices["failure"] != HOLDS).any(axis=1),
-        slide=counted_results["peak_slide"].max(axis=1),
-        tilt=counted_results["peak_tilt"].max(axis=1),
+        overturned=(counted_results["outcome"] == OVERTURNED_OUTCOME).any(axis=-1),
+        missing=(results["outcome"] == FAILED_OUTCOME).any(axis=-1),
+        hit_wall=np.any(counted_results["wall_impacts"] > 0, axis=-1),
+        device_failed=(devices["failure"] != HOLDS).any(axis=-1),
+        slide=counted_results["peak_slide"].max(axis=-1),
+        tilt=counted_results["peak_tilt"].max(axis=-1),
         devices=devices,
         used=used,
-        masses=np.ones(len(members)),
+        masses=np.ones(shape),
         results=results,
-        **dict(zip(Seen._fields, map(np.array, seen), strict=True)),
-        tracks=tracks if keep else tracks[:, :0],
+        **dict(zip(Seen._fields, watched, strict=True)),
+        tracks=tracks if keep else tracks[..., :0],
     )

@@ -133,7 +133,9 @@ def action_plan(
         asked,
         scenario=scenario,
         options=(replace(planner.as_it_is, rank=1),),
+        samples=contest.settings.samples,
         runs=made.done,
+        settled=0,
         seconds=time.perf_counter() - began,
         complete=True,
     )
@@ -158,11 +160,11 @@ class _Planner:
     def __init__(self, contest: Contest, home: Home, decisions: Decisions) -> None:
         self.contest, self.home, self.decisions = contest, home, decisions
         self.scenario, self.base = contest.scenario, contest.scenario.stated
-        (self.runs,) = contest.run([self.base], contest.members, keep=True)
+        (self.runs,) = contest.run([self.base], contest.settings.samples, keep=True)
         self.as_it_is = option_verdict(contest, self.base, self.runs, None)
         self.scene = contest.scene(self.base)
         self.group_of = {body: group for group in groups_at_first(self.scene) for body in group}
-        struck = np.flatnonzero(hits_in(self.runs).any(axis=(0, 1))).tolist()
+        struck = np.flatnonzero(hits_in(self.runs).any(axis=(0, 1, 2))).tolist()
         self.harmful = {*struck} | harmful_pieces(contest, self.base, self.runs)
         self.falling = falling_pieces(self.runs)
         self.drilled: dict[str, Fix] = {}
@@ -245,7 +247,7 @@ class _Planner:
         key = repr(sorted(map(repr, changes)))
         if key not in self._known:
             option = self._with(changes)
-            (runs,) = self.contest.run([option], self.contest.members)
+            (runs,) = self.contest.run([option], self.contest.settings.samples)
             self._known[key] = option_verdict(self.contest, option, runs, self.runs)
         return self._known[key]
 

@@ -48,7 +48,7 @@ def quantile_of(devices: NDArray[np.void], elements: Sequence[Element]) -> Devic
 
     Parameters
     ----------
-    devices : ndarray of DEVICE, shape (runs, elements)
+    devices : ndarray of DEVICE, shape (motions, samples, elements)
         What became of them.
     elements : sequence of Element
         The devices, each for a number of like ones.
@@ -56,7 +56,7 @@ def quantile_of(devices: NDArray[np.void], elements: Sequence[Element]) -> Devic
     counts = np.array([element.count for element in elements])
 
     def quantile(name: str) -> float:
-        peaks = np.sort((devices[name] / counts).max(axis=-1))
+        peaks = np.sort((devices[name] / counts).max(axis=-1).ravel())
         return float(peaks[min(len(peaks) - 1, math.ceil(QUANTILE * len(peaks)) - 1)])
 
     return DeviceForces(*map(quantile, ("peak_pull", "peak_push", "peak_shear")))

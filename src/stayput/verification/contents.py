@@ -17,7 +17,6 @@ from stayput.errors import InputError
 from stayput.execution import Pool
 from stayput.fragility.paired import Difference, difference
 from stayput.fragility.probabilities import Probability, probability, probability_of_counts
-from stayput.montecarlo.counting import Members
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import DrawTable, Rows, draws, rows_of
 from stayput.montecarlo.scaled_motions import PreparedFloor
@@ -178,7 +177,7 @@ def _in_plane(contest: Contest, options: Sequence[Option]) -> FirstRuns:
 
     def overturns(other: Body) -> list[Probability]:
         each = run_level(rows(other), floors, threads=contest.threads)
-        return [runs.probability_of_overturning() for runs in each]
+        return [probability(runs.overturned, runs.missing) for runs in each]
 
     mine, floor = rows(body), PreparedFloor.of(floors.motions, floors.scales)
     return overturns, lambda place, motion: _carrier_under(mine[place], motion, floor, body.height)
@@ -192,11 +191,11 @@ def _in_space(contest: Contest, options: Sequence[Option]) -> FirstRuns:
         others = [
             replace(scene, pieces=[replace(piece, body=other) for piece in scene.pieces]) for scene in scenes
         ]
-        first = Members.of_samples(min(settings.motions, MOTIONS), 1)
+        chosen = np.ones((len(options), min(settings.motions, MOTIONS), 1), np.bool_)
         # a runner of its own: scenes are known without their bodies; as in the plane its runs do not count
-        anew = runner.anew(lambda _runs: contest.advance(0))
+        anew = runner.under(contest.floors, lambda _runs: contest.advance(0))
         with scenario.naming_keys():
-            return [runs.probability_of_overturning() for runs in anew.run(others, first)]
+            return [probability(*each) for each in zip(*anew.falls(others, chosen), strict=True)]
 
     def carrier(place: int, motion: int) -> Carrier:
         scene, shaken = scenes[place], runner.shaking(motion, 0)

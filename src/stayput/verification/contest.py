@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import weakref
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures import Element, hold
 from stayput.mechanics.runner import shaking, trace
 from stayput.model.flat_fields import case_columns
-from stayput.montecarlo.counting import OFFSETS, Members
-from stayput.montecarlo.runs import Runs, run_level
+from stayput.montecarlo.runs import Falls, Runs, run_level, run_levels, settled_levels
 from stayput.montecarlo.sampling import Rows, Settings, drawn_held, draws, rows_of
 from stayput.montecarlo.scaled_motions import FloorMotions, ScaledMotions
 from stayput.montecarlo.scene_draws import draws_of_scenario
@@ -122,23 +122,13 @@ class Contest:
         The motions at any level; those of the scenario by default.
     times : float
         A factor on the shaking that the scenario states.
-    beside : bool
-        Whether two in five of the runs are at the levels beside the stated one; see `OFFSETS`.
-    levels : sequence of float
-        Further levels: JMA intensities of the ground.
-    advance : callable
-        Called with the number of runs just done; an exception that it raises stops the work.
 
     Attributes
     ----------
     floors : FloorMotions
         The motions at the shaking that the scenario states.
-    all_floors : FloorMotions
-        Those at all levels.
     settings : Settings
         Of the draws.
-    members : Members
-        All runs that an option may have, in the order in which they are made.
     watcher : Watcher
         Who looks at the runs of a room with a plan.
     """
@@ -151,24 +141,18 @@ class Contest:
         *,
         scaled_motions: ScaledMotions | None = None,
         times: float = 1.0,
-        beside: bool = False,
-        levels: Sequence[float] = (),
         advance: Callable[[int], None] = lambda _runs: None,
     ) -> None:
         self.scenario, self.threads, self.advance = scenario, threads, advance
-        motions = scaled_motions or ScaledMotions.of(scenario)
-        self.floors = motions.stated_by(scenario, threads, times)
+        self.scaled_motions = scaled_motions or ScaledMotions.of(scenario)
+        self.floors = self.scaled_motions.stated_by(scenario, threads, times)
         self.settings = Settings.of(scenario, len(self.floors.motions), slide_limit)
-        factors = [10.0 ** (0.5 * offset) for offset in OFFSETS[1:] if beside]
-        nearby = [motions.stated_by(scenario, threads, times * factor) for factor in factors]
-        further = [motions.at(float(level), threads) for level in levels]
-        self.all_floors = FloorMotions.joined([self.floors, *nearby, *further])
-        self.members = Members.in_turn(self.settings.motions, self.settings.runs, beside=beside)
         self.watcher = Watcher()
+        self._last: tuple[object, list[Rows]] = None, []
         self._scenes: dict[int, tuple[Option, Scene]] = {}
         self.runner = SceneRunner(
             scenario,
-            self.all_floors,
+            self.floors,
             threads=threads,
             advance=advance,
             watch=self.watcher,
@@ -210,28 +194,58 @@ class Contest:
             *(((scene.names[joint.first], scene.names[joint.second]), None) for joint in scene.joints),
         ]
 
-    def rows(self, options: Sequence[Option], members: Members) -> list[Rows]:
-        """Return the rows of options of a lone piece in the plane."""
+    def rows(self, options: Sequence[Option], samples: int, start: int = 0) -> list[Rows]:
+        """Return the rows of options of a lone piece in the plane, for some samples of each motion."""
+        asked = tuple(options), samples, start
+        if asked == self._last[0]:
+            return self._last[1]
         scenario, settings = self.scenario, self.settings
         body, room = scenario.piece.body(), scenario.room.room()
-        samples = int(members.sample.max(initial=0)) + 1
-        drawn = draws(
-            *(settings.motions, samples, settings.seed),
-            as_stated=settings.as_stated,
-            quantities=settings.quantities,
-        ).of(members)
+        place = settings.motions, samples, settings.seed, start
+        drawn = draws(*place, as_stated=settings.as_stated, quantities=settings.quantities)
         stands = settings.gravity, scenario.initial.state()
-        return [rows_of(body, room, option.measures, drawn, *stands) for option in options]
+        rows = [rows_of(body, room, option.measures, drawn, *stands) for option in options]
+        self._last = asked, rows
+        return rows
 
-    def run(self, options: Sequence[Option], members: Members, *, keep: bool = False) -> list[Runs]:
-        """Run options; ``keep``: with the tracks of the pieces."""
+    def run(
+        self, options: Sequence[Option], samples: int, start: int = 0, *, keep: bool = False
+    ) -> list[Runs]:
+        """Run options under some samples of each motion; ``keep``: with the tracks of the pieces."""
         if self.in_plane:
-            rows = self.rows(options, members)
-            return run_level(rows, self.all_floors, members, threads=self.threads, progress=self.advance)
+            rows = self.rows(options, samples, start)
+            return run_level(rows, self.floors, threads=self.threads, progress=self.advance)
         with self.scenario.naming_keys():
-            return self.runner.run([*map(self.scene, options)], members, keep=keep)
+            return self.runner.run([*map(self.scene, options)], samples, start, keep=keep)
 
     def devices_of(self, option: Option, body: int) -> NDArray[np.void]:
         """Return what became of what holds a piece of a scene; see `SceneRunner.devices_of`."""
         with self.scenario.naming_keys():
-            return self.runner.devices_of(self.scene(option), body, self.members)
+            return self.runner.devices_of(self.scene(option), body, self.settings.samples)
+
+    def falls(
+        self,
+        options: Sequence[Option],
+        stated: Sequence[Runs],
+        levels: NDArray[np.float64],
+        floors_at: Callable[[float], FloorMotions],
+        *,
+        every_run: bool,
+    ) -> tuple[list[Falls], int]:
+        """Return the falls with options at many levels, and how many runs were made for them.
+
+        ``stated``: their runs at the shaking that the scenario states.
+        """
+        shape = (len(options), *stated[0].overturned.shape)
+        known = [(self.floors.measures[JMA_INTENSITY], runs) for runs in stated]
+        shared: dict[str, Any] = {"known": known, "every_run": every_run, "progress": self.advance}
+        if self.in_plane:
+            rows = self.rows(options, shape[2])
+            return run_levels(rows, levels, floors_at, threads=self.threads, **shared)
+        scenes = [*map(self.scene, options)]
+
+        def run(level: float, chosen: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+            return self.runner.under(floors_at(level)).falls(scenes, chosen)
+
+        with self.scenario.naming_keys():
+            return settled_levels(shape, levels, run, **shared)

@@ -346,9 +346,9 @@ def zones_of(runs: Runs, pieces: Sequence[Piece], watcher: Watcher, plan: FloorP
     _, ways = watcher.ways(plan)
     zones: list[Zones | None] = []
     for body, piece in enumerate(pieces):
-        fell = runs.results[:, body]["outcome"] == OVERTURNED_OUTCOME
+        fell = (runs.results[..., body]["outcome"] == OVERTURNED_OUTCOME).ravel()
         counts = np.zeros((2, len(ways.x), len(ways.y)))
-        for track, overturned in zip(runs.tracks[:, body], fell.tolist(), strict=True):
+        for track, overturned in zip(runs.tracks[..., body].ravel(), fell.tolist(), strict=True):
             counts[0 if overturned else 1] += watcher.covered_by(ways, track)
         zones.append(Zones(counts[0] / len(fell), counts[1] / len(fell), at_rest(piece).outline(0)))
     return zones

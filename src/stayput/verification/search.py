@@ -85,12 +85,12 @@ def harmful_pieces(contest: Contest, option: Option, runs: Runs) -> set[int]:
     plan, count = contest.plan(option), len(contest.scenario.names)
     harmful: set[int] = set()
     hit, blocked = hits_in(runs), int(runs.blocked.sum() + runs.shut_in.sum())
-    risk = risk_of(np.any(hit, axis=2), plan.places, runs.missing)
+    risk = risk_of(np.any(hit, axis=3), plan.places, runs.missing)
     for body in range(count):
         others = [number for number in range(count) if number != body]
-        less = risk_of(np.any(hit[..., others], axis=2), plan.places, runs.missing) < risk
+        less = risk_of(np.any(hit[..., others], axis=3), plan.places, runs.missing) < risk
         if not less and blocked:
-            each = runs.tracks[:, others].tolist()
+            each = runs.tracks[..., others].reshape(-1, count - 1).tolist()
             ends = (contest.watcher.ends(plan, tracks) for tracks in each)
             less = sum(sum(doors) + sum(people) for doors, people in ends) < blocked
         if less:
@@ -117,8 +117,8 @@ def moves_of(
     scenario, scene, plan, tracks = contest.scenario, contest.scene(option), contest.plan(option), runs.tracks
     _, ways = contest.watcher.ways(plan)
     floor, hit = changes.FreeFloor(plan, scene.pieces), hits_in(runs)
-    outlines = [[reach(track) for track in tracks[:, body]] for body in range(len(scene.pieces))]
-    struck = np.flatnonzero(hit.any(axis=(0, 2))).tolist()
+    outlines = [[reach(track) for track in tracks[..., body].ravel()] for body in range(len(scene.pieces))]
+    struck = np.flatnonzero(hit.any(axis=(0, 1, 3))).tolist()
     if struck:  # where nobody is hit, what the pieces sweep is not needed
         over: NDArray[np.bool_] = np.any([swept(ways, of_piece) for of_piece in outlines], axis=0)
         for place in (plan.places[number] for number in struck):
@@ -130,12 +130,12 @@ def moves_of(
     def risk(others: NDArray[np.bool_], outlines: Sequence[NDArray[np.float64]]) -> float:
         over = swept(ways, outlines)
         by_piece = np.stack([over[:, at].any(axis=1) for at in cells], -1) if cells else over[:, :0]
-        return risk_of(others | by_piece, plan.places, runs.missing)
+        return risk_of(others | by_piece.reshape(others.shape), plan.places, runs.missing)
 
     for body in sorted(changes.loose_pieces(scenario) & set(harmful)):
         if not scenario.pieces[body].is_furniture:
             continue
-        risk_at = partial(risk, np.any(np.delete(hit, body, axis=2), axis=2))
+        risk_at = partial(risk, np.any(np.delete(hit, body, axis=3), axis=3))
         here = risk_at(outlines[body])
         for wall, middles in changes.places_at_walls(scene, body, floor):
             piece = scene.pieces[body]

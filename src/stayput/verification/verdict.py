@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, shown
 from stayput.montecarlo.counting import OVERTURNED, SLID, Member, Quantiles
 from stayput.saved import InJson
@@ -22,6 +21,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.axes import Axes
 
+    from stayput.catalogue import Phrase
     from stayput.fragility.curve import Capacity, FragilityCurve
     from stayput.fragility.intensity_measures import IntensityMeasure
     from stayput.fragility.paired import Difference
@@ -143,8 +143,6 @@ class OptionVerdict:
         What is in place.
     rank : int
         1 for the best; options whose differences are unclear share a rank, as in 1, 1, 3.
-    runs : int
-        How many runs there are of it.
     probabilities : mapping of str to Probability
         Of each of `EVENTS` for any of the pieces that count (`Scenario.counted`), at the scenario's shaking.
     change : Difference, optional
@@ -173,7 +171,6 @@ class OptionVerdict:
 
     option: Option
     rank: int
-    runs: int
     probabilities: Mapping[str, Probability]
     change: Difference | None
     slide: Quantiles
@@ -261,8 +258,8 @@ class Verdict(InJson):
     options : tuple of OptionVerdict
         The best first; exactly one of them has nothing in place, or is the scene as stated: it stands before
         those that do not clearly differ from it.
-    motions : int
-        Motions.
+    motions, samples : int
+        Motions, and Monte Carlo samples of each.
     runs : int
         Simulations that were made.
     seed : int
@@ -272,7 +269,9 @@ class Verdict(InJson):
     estimates : Estimates, optional
         Quick estimates by formulas, to stand beside those of a lone piece.
     levels : ndarray, shape (levels,)
-        JMA intensities at which all options ran for the curves.
+        JMA intensities of the fragility curves.
+    settled : int
+        Runs of the fragility curves that were not made: stronger shaking left the piece far from falling.
     precise : bool
         Whether the asked precision was reached.
     impossible : tuple of Impossible
@@ -294,8 +293,8 @@ class Verdict(InJson):
     ... )
     >>> verdict.best.option.name, verdict.best.probabilities["overturned"].estimate
     ('l_bracket', 0.0)
-    >>> verdict.motions, verdict.best.runs  # two draws under each motion
-    (4, 8)
+    >>> verdict.motions, verdict.samples  # of each motion: 8 in all
+    (4, 2)
     >>> [option.option.name for option in verdict], float(verdict["l_bracket"].probabilities["overturned"])
     (['l_bracket', 'none'], 0.0)
     """
@@ -305,11 +304,13 @@ class Verdict(InJson):
     slide_limit: float
     options: tuple[OptionVerdict, ...]
     motions: int
+    samples: int
     runs: int
     seed: int
     seconds: float
     estimates: Estimates | None = None
     levels: NDArray[np.float64] = field(default_factory=lambda: np.empty(0))
+    settled: int = 0
     precise: bool = False
     impossible: tuple[Impossible, ...] = ()
     complete: bool = True
@@ -320,15 +321,9 @@ class Verdict(InJson):
             f"{option.option.name} {option.probabilities[OVERTURNED].text}" for option in self.options[:3]
         )
         more = f", and {len(self.options) - 3} more" if len(self.options) > 3 else ""
-        made = f"{self.runs_each[0]} runs each under {self.motions} motions"
+        made = f"{self.motions} × {self.samples} runs each"
         draft = "" if self.complete else "; not complete"
         return f"Verdict(JMA {self.intensity:.2f}; overturned: {ranked}{more}; {made}{draft})"
-
-    @property
-    def runs_each(self) -> Phrase:
-        """How many runs there are of each option, in both languages: "40", "16 to 43"."""
-        least, most = (pick(option.runs for option in self.options) for pick in (min, max))
-        return phrase("fragility.ends", low=least, high=most) if least < most else (f"{least}", f"{least}")
 
     def __iter__(self) -> Iterator[OptionVerdict]:
         return iter(self.options)

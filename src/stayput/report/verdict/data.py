@@ -82,7 +82,7 @@ def verdict_dataset(verdict: Verdict) -> xr.Dataset:
             "event": events,
             "bound": bound,
         },
-        attributes(verdict, "motions", "runs", "seed", "intensity"),
+        attributes(verdict, "motions", "samples", "runs", "seed", "intensity"),
     )
     for name, unit in (("slide", "m"), ("tilt", "rad")):
         for part in ("median", "p90"):
@@ -230,7 +230,8 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         "motion_floor": verdict.floor or None,
         "strength": strength_data(verdict.scenario, verdict.motions),
         "slide_limit_m": verdict.slide_limit,
-        **attributes(verdict, "motions", "runs"),
+        **attributes(verdict, "motions", "samples", "runs"),
+        "settled_runs": verdict.settled,
         **attributes(verdict, "seed", "precise", "seconds", "complete"),
         "engine": "plane" if verdict.scenario.dimensions == 2 else "space",
         "components": list(verdict.scenario.components),
@@ -340,7 +341,6 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
         "helps": result.helps,
         "better": list(result.better),
         "worse": list(result.worse),
-        "runs": result.runs,
         "typical": {"motion": result.typical.motion, "sample": result.typical.sample},
         "devices": [_device(device) for device in result.devices],
         "contents": None if result.contents is None else contents_data(result.contents),
@@ -348,7 +348,7 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
             {
                 "share": capacity.share,
                 "jma_intensity": number(capacity.estimate),
-                **attributes(capacity, "low", "high", "text"),
+                **attributes(capacity, "low", "high", "above", "below", "one_motion", "text"),
             }
             for capacity in result.capacities.values()
         ],
@@ -458,8 +458,10 @@ def _curve(curve: FragilityCurve) -> dict[str, Any]:
     """Return a curve and the observed shares at its levels, in SI units."""
     im = [level.im for level in curve.levels]
     share, (low, high) = curve.probability(im), curve.band(im)
+    lognormal = curve.lognormal
     return {
         "measure": curve.measure.key,
+        "state": curve.state.value,
         "method": METHOD,
         "one_motion": curve.one_motion,
         "levels": [
@@ -470,5 +472,7 @@ def _curve(curve: FragilityCurve) -> dict[str, Any]:
             }
             for level, p, a, b in zip(curve.levels, share, low, high, strict=True)
         ],
-        "lognormal": None if curve.lognormal is None else curve.lognormal._asdict(),
+        "lognormal": None
+        if lognormal is None
+        else attributes(lognormal, "family", "median", "dispersion", "fits", "p_value", "misfit"),
     }

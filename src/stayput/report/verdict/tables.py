@@ -298,9 +298,10 @@ def _device(device: DeviceSummary, label: Phrase, language: str) -> tuple[str, .
 
 
 def simulations(verdict: Verdict, language: str) -> str:
-    """Return the number of simulations in words."""
-    counts = {"runs": f"{verdict.runs:,}", "motions": verdict.motions, "each": verdict.runs_each}
-    return word("simulations_text", language, **counts)
+    """Return the number of simulations in words, and of the runs that were settled without one."""
+    counts = {"runs": f"{verdict.runs:,}", "motions": verdict.motions, "samples": verdict.samples}
+    made = word("simulations_text", language, **counts)
+    return made + word("settled_text", language, settled=f"{verdict.settled:,}") if verdict.settled else made
 
 
 def verdict_csv(verdict: Verdict) -> str:
