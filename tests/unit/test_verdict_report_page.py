@@ -12,7 +12,7 @@ from html_pages import Page, check_alone, check_readable
 
 import stayput as sp
 from stayput.catalogue import phrase
-from stayput.montecarlo.counting import Member
+from stayput.montecarlo.counting import Member, Members
 from stayput.report.verdict import svg
 from stayput.report.verdict.html import pairs_of, place_of_the_measure, report_html
 from stayput.report.verdict.numbers import interval, probability, word
