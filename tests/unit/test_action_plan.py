@@ -88,9 +88,9 @@ def test_the_margin_makes_up_for_the_weakest_products():
 
 
 def test_the_quantile_is_of_each_direction_and_by_rank():
-    devices = np.zeros((8, 5, 2), DEVICE)
-    devices["peak_pull"][..., 0].flat = 2.0 * np.arange(1, 41)  # of two devices alike, which share it
-    devices["peak_shear"][..., 1].flat = 2.0 * (100 - np.arange(1, 41))
+    devices = np.zeros((40, 2), DEVICE)
+    devices["peak_pull"][:, 0] = 2.0 * np.arange(1, 41)  # of two devices alike, which share it
+    devices["peak_shear"][:, 1] = 2.0 * (100 - np.arange(1, 41))
     belt = Belt(count=2).apply(sp.Body(0.3, 1.8, 100.0), sp.Room(left_wall=sp.Wall(0.02))).elements[0]
     assert belt.count == 2
     # 38 of 40 runs are 95 %: the 38th smallest pull is 38, the 38th smallest shear 97
