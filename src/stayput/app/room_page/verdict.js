@@ -66,7 +66,7 @@ export function show({ name, job, result, old, error }) {
 }
 
 /** Whether a result is of the room alone, which still runs; then changes of it run beside it. */
-const isRough = ({ complete, changes }) => !complete && !changes.length;
+const isRough = ({ complete, options }) => !complete && options.length === 1;
 
 /** Says it in one line beside the steps, for where the verdict is on another screen. */
 function brief(name, result, old) {
