@@ -50,6 +50,12 @@ OFFSETS = (0.0, 0.4, -0.4)
 
 Curves need runs beside the stated level; so near to it one tells of the share there as much as 0.4 runs."""
 
+QUARTERS = 4
+"""Directions from which one draw shakes a room: the drawn one, and its quarter turns."""
+
+MOTIONS_IN_BLOCK = 8
+"""Motions that shake a room from all directions before others do: as many kinds of motions as there are."""
+
 _LEVELS_IN_TURN = (0, 0, 1, 0, 2)
 
 
@@ -69,17 +75,20 @@ class Members:
     motion, sample, level : ndarray of int, shape (runs,)
         The number of each run's motion, of the draw under it, and of the level: of those in `OFFSETS`, or of
         further ones.
+    cluster : ndarray of int, shape (runs,)
+        Runs of the same number may be alike: those of one motion, from one direction where it is turned.
     """
 
     motion: NDArray[np.intp]
     sample: NDArray[np.intp]
     level: NDArray[np.intp]
+    cluster: NDArray[np.intp]
 
     @classmethod
     def of_samples(cls, motions: int, samples: int, start: int = 0, level: int = 0) -> Self:
         """Return so many draws of each motion, one motion after the other, at one level."""
         motion, sample = np.indices((motions, samples)).reshape(2, -1)
-        return cls(motion, sample + start, np.full(len(motion), level))
+        return cls(motion, sample + start, np.full(len(motion), level), motion)
 
     @classmethod
     def in_turn(cls, motions: int, runs: int, *, beside: bool) -> Self:
@@ -95,7 +104,19 @@ class Members:
         """
         sample, motion = np.divmod(np.arange(runs), motions)
         level = np.array(_LEVELS_IN_TURN)[(motion + sample) % len(_LEVELS_IN_TURN)]
-        return cls(motion, sample, level if beside else np.zeros_like(level))
+        return cls(motion, sample, level if beside else np.zeros_like(level), motion)
+
+    @classmethod
+    def in_quarters(cls, motions: int, runs: int) -> Self:
+        """Return runs of all motions in turn, each from all four directions before the next motions.
+
+        So what stands elsewhere and is turned meets the same motions from the same directions.
+        """
+        run = np.arange(runs)
+        block, place = np.divmod(run, MOTIONS_IN_BLOCK * QUARTERS)
+        quarter, motion = np.divmod(place, MOTIONS_IN_BLOCK)
+        draw, motion = np.divmod(block * MOTIONS_IN_BLOCK + motion, motions)
+        return cls(motion, draw * QUARTERS + quarter, np.zeros_like(run), motion * QUARTERS + quarter)
 
     def __len__(self) -> int:
         return len(self.motion)
@@ -110,7 +131,7 @@ class Members:
 
     def chosen(self, runs: slice | NDArray[np.bool_]) -> Members:
         """Return some of the runs."""
-        return Members(self.motion[runs], self.sample[runs], self.level[runs])
+        return Members(*(getattr(self, field.name)[runs] for field in fields(self)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -203,8 +224,8 @@ class Outcomes:
 
         From runs at several levels it is that of a fit to all of them.
         """
-        known, motion, level = ~self.missing, self.members.motion, self.members.level
-        if level.any():
+        known, motion = ~self.missing, self.members.cluster
+        if self.members.level.any():
             return self._around(happened).probability()
         counts = (np.bincount(motion, flags) for flags in (happened & known, known, self.missing))
         return _probability(*(tuple(count.astype(np.intp).tolist()) for count in counts))
@@ -226,7 +247,7 @@ class Outcomes:
         if self.members.level.any() or other.members.level.any():
             return self._around(happened).difference(other._around(then), comparisons)
         both = slice(min(len(happened), len(then)))
-        missing, motion = self.missing[both] | other.missing[both], self.members.motion[both]
+        missing, motion = self.missing[both] | other.missing[both], self.members.cluster[both]
         return difference_of_runs(happened[both], then[both], missing, motion, comparisons=comparisons)
 
     def _around(self, happened: NDArray[np.bool_]) -> RunsAround:

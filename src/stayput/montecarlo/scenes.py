@@ -1,65 +1,32 @@
-"""Monte Carlo runs of scenes: what became of all pieces under each draw.
-
-Pieces run alone until they meet (see `stayput.simulation.groups`), so that what a group does serves every
-option that leaves it as it is.
-"""
+"""Monte Carlo runs of scenes, composed of the runs of a library: what became of all pieces under each draw."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import replace
-from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from stayput.execution import Pool
-from stayput.measures.element import utilisation
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import HOLDS
-from stayput.montecarlo.runs import Runs, without_free_slide
-from stayput.montecarlo.sampling import drawn_floor
-from stayput.montecarlo.scene_draws import DrawOfSeveral, drawn_scene, drawn_shaking, draws_of_scenario
-from stayput.simulation.groups import Group, Track, groups_at_first, run_in_groups
-from stayput.simulation.space import ENDS, names_of, results_of, run_of_trace, trace_groups, trace_together
-from stayput.simulation.space_engine import STEP, SpaceShaking
+from stayput.montecarlo.library import KindRun, Library, Standing, kind_run, standings_of
+from stayput.montecarlo.runs import Runs
+from stayput.montecarlo.scene_draws import SceneDraw, SceneDraws, drawn_scene
+from stayput.simulation.groups import Group, Track
+from stayput.simulation.placement import Placement
+from stayput.simulation.space import joined_groups, run_of_trace
 
 if TYPE_CHECKING:
-    from stayput.catalogue import Phrase
     from stayput.model.floor_plan import FloorPlan
-    from stayput.model.state import State
-    from stayput.montecarlo.counting import Members
-    from stayput.montecarlo.scaled_motions import FloorMotions
+    from stayput.montecarlo.counting import Member, Members
     from stayput.motion.record import Motion
     from stayput.scenario import Scenario
     from stayput.simulation.run import Run
     from stayput.simulation.scene import Scene
     from stayput.simulation.space import Trace
-
-
-class GroupRun(NamedTuple):
-    """What became of a group of pieces under a draw.
-
-    Parameters
-    ----------
-    results : ndarray of RESULT, shape (pieces,)
-        What became of each.
-    devices : list of tuple of ndarray
-        DEVICE and utilisation of what holds each piece, and of the joints between them at last.
-    tracks : list of Track or None
-        Where each was; None where nothing can reach it.
-    """
-
-    results: NDArray[np.void]
-    devices: list[tuple[NDArray[np.void], NDArray[np.float64]]]
-    tracks: list[Any]
-
-
-KnownRuns: TypeAlias = dict[tuple[int, int, int], dict[str, GroupRun]]
-"""Runs of groups by motion, sample and level, by what tells the group."""
 
 
 class Seen(NamedTuple):
@@ -89,54 +56,40 @@ Watch: TypeAlias = "Callable[[FloorPlan, Sequence[Track]], Seen]"
 
 
 class SceneRunner:
-    """Runs options of a scene under draws; what a group of pieces does is run once for all options.
+    """Runs options of a scene under draws; runs of a kind serve all options and all pieces of that kind.
 
     Parameters
     ----------
     scenario : Scenario
         What stands where, and what of it is uncertain.
-    floors : FloorMotions
-        The motions.
+    library : Library
+        The runs that are made, to which more are added.
     threads : int, optional
         As many as there are cores by default. The bits do not depend on them.
     advance : callable
         Called with the number of runs just done; an exception that it raises stops the work.
     watch : callable
         What looks at the runs of a room with a plan.
-    known : dict, optional
-        Runs of the same motions and draws that are known, to which those are added that are made.
     """
 
     def __init__(
         self,
         scenario: Scenario,
-        floors: FloorMotions,
+        library: Library,
         *,
         threads: int | None,
         advance: Callable[[int], None],
         watch: Watch,
-        known: KnownRuns | None,
     ) -> None:
-        self._scenario, self.floors, self.threads = scenario, floors, threads
-        self.advance, self._watch, self._counted = advance, watch, list(scenario.counted)
-        self._gravity, self._initial = scenario.gravity, scenario.initial.state()
-        self._draws: list[list[DrawOfSeveral]] = [[] for _ in range(floors.each)]
-        self._known = {} if known is None else known
+        self.library, self._threads, self._advance = library, threads, advance
+        self._watch, self._counted = watch, list(scenario.counted)
+        self._placed: dict[tuple[int, Placement], tuple[KindRun, list[Track]]] = {}
 
     def anew(self, advance: Callable[[int], None]) -> SceneRunner:
         """Return the same with the same draws, which knows of no run yet."""
         runner = copy(self)
-        runner.advance, runner._known = advance, {}
+        runner.library, runner._advance, runner._placed = self.library.anew(), advance, {}
         return runner
-
-    def draw(self, motion: int, sample: int) -> DrawOfSeveral:
-        """Return the draw of a member."""
-        done = len(self._draws[motion])
-        if sample >= done:
-            drawn = draws_of_scenario(self._scenario, len(self._draws), sample + 1 - done, done)
-            for known, more in zip(self._draws, drawn, strict=True):
-                known.extend(more)
-        return self._draws[motion][sample]
 
     def run(self, scenes: Sequence[Scene], members: Members, *, keep: bool = False) -> list[Runs]:
         """Run scenes of the same pieces.
@@ -155,201 +108,113 @@ class SceneRunner:
         InputError
             Measures that cannot be put in place, as stated or in one of the draws.
         """
-        parts = [_Parts(scene) for scene in scenes]
-        ran: list[list[tuple[dict[Group, GroupRun], Seen]]] = [[] for _ in range(len(members))]
-
-        def run(number: int, motion: int, sample: int, level: int) -> None:
-            shaking = self.shaking(motion, sample, level)
-            for of in parts:
-                group = partial(self._group, of, member=(motion, sample, level), shaking=shaking)
-                groups = run_in_groups(of.at_first, group, lambda ran: ran.tracks)
-                ran[number].append((groups, self._seen(of, groups)))
-
-        self._draw_all(members)
-        with Pool(self.threads) as pool:
-            for _ in pool.as_completed(partial(run, *member) for member in _numbered(members)):
-                self.advance(len(scenes))
-        return [
-            _runs(members, [each[option] for each in ran], of.scene, self._counted, keep)
-            for option, of in enumerate(parts)
-        ]
+        each = [standings_of(scene, self.library.draws) for scene in scenes]
+        all_runs = iter(self._runs_of([standing for of_scene in each for standing in of_scene], members))
+        composed: list[Runs] = []
+        for scene, standings in zip(scenes, each, strict=True):
+            runs_of_groups = [(standing, next(all_runs)) for standing in standings]
+            composed.append(self._composed(scene, runs_of_groups, members, keep))
+        return composed
 
     def devices_of(self, scene: Scene, body: int, members: Members) -> NDArray[np.void]:
-        """Return what became of what holds a piece: DEVICE, shape (runs, devices).
+        """Return what became of what holds a piece: DEVICE, shape (runs, devices)."""
+        standings = standings_of(scene, self.library.draws)
+        standing = next(each for each in standings if body in each.group)
+        place = standing.group.index(body)
+        return np.array([run.devices[place][0] for run in self._runs_of([standing], members)[0]])
 
-        It runs with what it runs together with from the beginning, whatever it meets.
-        """
-        of = _Parts(scene)
-        group = next(group for group in of.at_first if body in group)
+    def _runs_of(self, standings: Sequence[Standing], members: Members) -> list[list[KindRun]]:
+        return self.library.runs_of(standings, [*members], self._threads, self._advance)
 
-        def run(motion: int, sample: int, level: int) -> NDArray[np.void]:
-            shaking = self.shaking(motion, sample, level)
-            ran = self._group(of, group, (motion, sample, level), shaking)
-            return ran.devices[group.index(body)][0]
+    def _composed(
+        self,
+        scene: Scene,
+        runs_of_groups: Sequence[tuple[Standing, Sequence[KindRun]]],
+        members: Members,
+        keep: bool,
+    ) -> Runs:
+        """Return the runs of a scene, composed of those of its groups of pieces."""
+        shape = len(members), len(scene.pieces)
+        results, tracks = np.zeros(shape, RESULT), np.empty(shape, object)
+        columns: list[list[Any]] = [[] for _ in range(shape[1] + len(scene.joints))]
+        for standing, runs in runs_of_groups:
+            numbers = [*standing.group]
+            results[:, numbers] = [run.results for run in runs]
+            joints = [n for n, joint in enumerate(scene.joints) if joint.first in standing.group]
+            for place, number in enumerate(numbers):
+                columns[number] = [run.devices[place] for run in runs]
+            for place, number in enumerate(joints):
+                of_joint = slice(place, place + 1)
+                columns[shape[1] + number] = [
+                    tuple(column[of_joint] for column in run.devices[-1]) for run in runs
+                ]
+            if scene.plan is not None:
+                for row, run in enumerate(runs):
+                    tracks[row, numbers] = self._in_room(standing, run)
+        devices, used = (
+            np.concatenate([[each[part] for each in column] for column in columns], axis=1)
+            for part in range(2)
+        )
+        counted = results[:, self._counted]
+        return Runs(
+            members,
+            overturned=(counted["outcome"] == OVERTURNED_OUTCOME).any(axis=1),
+            missing=(results["outcome"] == FAILED_OUTCOME).any(axis=1),
+            hit_wall=np.any(counted["wall_impacts"] > 0, axis=1),
+            device_failed=(devices["failure"] != HOLDS).any(axis=1),
+            slide=counted["peak_slide"].max(axis=1),
+            tilt=counted["peak_tilt"].max(axis=1),
+            devices=devices,
+            used=used,
+            masses=np.ones(len(members)),
+            results=results,
+            **self._seen(scene, tracks)._asdict(),
+            tracks=tracks if keep else tracks[:, :0],
+        )
 
-        self._draw_all(members)
-        with Pool(self.threads) as pool:
-            rows = [*pool.in_order(partial(run, *member) for member in members)]
-        self.advance(len(rows))
-        return np.array(rows)
+    def _in_room(self, standing: Standing, run: KindRun) -> list[Track]:
+        """Return where the pieces of a group were in the room; that of one run and place is made once."""
+        key = id(run), standing.axes
+        if key not in self._placed:  # the run is kept with it, so that the id stays its own
+            self._placed[key] = run, [track.placed(standing.axes) for track in run.tracks]
+        return self._placed[key][1]
 
-    def _draw_all(self, members: Members) -> None:
-        """Draw what members need, before threads ask for it."""
-        self.draw(0, int(members.sample.max(initial=0)))
-
-    def shaking(self, motion: int, sample: int, level: int = 0) -> SpaceShaking:
-        """Return how the floor shakes in a run."""
-        place = level * self.floors.each + motion
-        floor, scale = self.floors.motions[place], float(self.floors.scales[place])
-        return drawn_shaking(floor, scale, self.draw(motion, sample), self._gravity)
-
-    def _group(
-        self, of: _Parts, group: Group, member: tuple[int, int, int], shaking: SpaceShaking
-    ) -> GroupRun:
-        """Run a group, or return its run where it is known."""
-        (part, called, key), known = of.part(group), self._known.setdefault(member, {})
-        if key not in known:
-            draw = self.draw(*member[:2]).of(group)
-            reached = len(of.at_first) > 1 or of.scene.plan is not None
-            # what a lone piece does after it lies changes nothing
-            lies = ENDS if len(group) == 1 else math.inf
-            traced = trace_draw(part, draw, shaking, self._gravity, called, self._initial, lies=lies)
-            ran = _group_run(traced, shaking, tracked=reached)
-            if FAILED_OUTCOME in ran.results["outcome"]:  # as those are that an exception has cut off
-                return ran
-            known[key] = ran
-        return known[key]
-
-    def _seen(self, of: _Parts, groups: dict[Group, GroupRun]) -> Seen:
-        """Return what happened in the room in the runs of the groups of a scene."""
-        if of.scene.plan is None:
-            nothing = np.zeros(0, np.bool_)
-            return Seen(np.zeros((0, len(of.scene.pieces), 4)), nothing, nothing)
-        tracks = dict[int, Track]()
-        for group, ran in groups.items():
-            tracks |= zip(group, ran.tracks, strict=True)
-        return self._watch(of.scene.plan, [tracks[body] for body in sorted(tracks)])
-
-
-def _numbered(members: Members) -> Iterator[tuple[int, int, int, int]]:
-    return ((number, *member) for number, member in enumerate(members))
-
-
-class _Parts:
-    """A scene with the groups of pieces that run together at first, and each group by itself."""
-
-    def __init__(self, scene: Scene) -> None:
-        self.scene, self.at_first, self._known = scene, groups_at_first(scene), dict[Group, Any]()
-
-    def part(self, group: Group) -> tuple[Scene, list[str | Phrase], str]:
-        """Return the scene of a group, how refusals call its pieces, and what tells it from other groups."""
-        if group not in self._known:
-            part, called = self.scene.part(group), names_of(self.scene, group)
-            stands = [(piece.at, piece.heading, piece.measures) for piece in part.pieces]
-            self._known[group] = part, called, repr((group, stands, part.joints, part.room))
-        return self._known[group]
+    def _seen(self, scene: Scene, tracks: NDArray[np.object_]) -> Seen:
+        """Return what happened in a room in each run."""
+        if scene.plan is None:
+            nothing = np.zeros((len(tracks), 0), np.bool_)
+            return Seen(np.zeros((len(tracks), 0, len(scene.pieces), 4)), nothing, nothing)
+        seen = [self._watch(scene.plan, row) for row in tracks.tolist()]
+        return Seen(*map(np.array, zip(*seen, strict=True)))
 
 
-def _group_run(traced: Trace, shaking: SpaceShaking, *, tracked: bool) -> GroupRun:
-    trace, first = traced.trace, 0
-    used, devices = utilisation(trace.springs, trace.devices), list[tuple[Any, Any]]()
-    for count in [*(len(body.springs) for body in traced.bodies), None]:
-        rows = slice(first, None if count is None else first + count)
-        devices.append((trace.devices[rows], used[rows]))
-        first += count or 0
-    tracks = traced.tracks(shaking.dt) if tracked else [None] * len(traced.bodies)
-    results = results_of(traced, shaking.times)
-    free = [0.0 if body.held is None else body.held.free_slide for body in traced.bodies]
-    without_free_slide(results, free)
-    return GroupRun(results, devices, tracks)
-
-
-def trace_draw(
-    scene: Scene,
-    draw: DrawOfSeveral,
-    shaking: SpaceShaking,
-    gravity: float,
-    names: Sequence[str | Phrase] = (),
-    initial: State | None = None,
-    step: float = STEP,
-    lies: float = math.inf,
-) -> Trace:
-    """Run the pieces of a scene together under one draw and its `drawn_shaking`; see `trace_together`."""
-    floor = partial(drawn_floor, draw=draw.room)
-    drawn = drawn_scene(scene, draw)
-    return trace_together(drawn, shaking, gravity, step, draw.room.strength, floor, names, initial, lies)
-
-
-def replay(
-    scene: Scene,
-    draw: DrawOfSeveral,
-    motion: Motion,
-    scale: float,
-    gravity: float,
-    initial: State | None = None,
-) -> Run:
-    """Run a scene under one draw again, with its histories.
+def replay(scenario: Scenario, scene: Scene, member: Member, motion: Motion, scale: float) -> Run:
+    """Run a member of a scene again as it was run, with its histories.
 
     Parameters
     ----------
-    scene, draw, gravity, initial
-        As for `SceneRunner`.
+    scenario : Scenario
+        What was verified.
+    scene : Scene
+        Its pieces with an option.
+    member : Member
+        Which of the motions, and which draw.
     motion, scale
         The floor's motion, and the factor on it.
     """
-    shaking = drawn_shaking(motion, scale, draw, gravity)
+    draws, traces = SceneDraws(scenario, member.motion + 1), dict[Group, Trace]()
 
-    def trace(group: Group) -> Trace:
-        part, called = scene.part(group), names_of(scene, group)
-        return trace_draw(part, draw.of(group), shaking, gravity, called, initial).in_room()
+    def drawn(axes: Placement, streams: Sequence[str]) -> SceneDraw:
+        return draws.draw(member.motion, *draws.number(member.sample, axes), streams)
 
-    traced = trace_groups(scene, trace, shaking.dt)
-    shown = motion.scaled(scale).pointing(draw.direction)
-    run = run_of_trace(traced, scene.joints, drawn_scene(scene, draw).room, shown)
+    for standing in standings_of(scene, draws):
+        draw, axes = drawn(standing.axes, standing.kind.streams), standing.axes
+        how = draw, motion, scale, scenario.gravity, scenario.initial.state()
+        traced, shaking = standing.kind.run(*how)
+        if standing.reaches_far_wall(kind_run(traced, shaking)):
+            traced, _ = standing.walled.run(*how)
+        traces[standing.group] = replace(traced.in_room(), axes=axes).in_room()
+    draw = drawn(Placement(), draws.streams(range(len(scene.pieces))))
+    shown, room = motion.scaled(scale).pointing(draw.direction), drawn_scene(scene, draw).room
+    run = run_of_trace(joined_groups(scene, traces), scene.joints, room, shown)
     return replace(run, names=scene.names, plan=scene.plan)
-
-
-def _runs(
-    members: Members,
-    ran: Sequence[tuple[dict[Group, GroupRun], Seen]],
-    scene: Scene,
-    counted: list[int],
-    keep: bool,
-) -> Runs:
-    """Return the runs of an option."""
-    shape = len(members), len(scene.pieces)
-    results, tracks = np.zeros(shape, RESULT), np.empty(shape, object)
-    columns = list[Any]()
-    for run, (groups, _) in enumerate(ran):
-        of_pieces, of_joints = dict[int, Any](), dict[int, Any]()
-        for group, of_group in groups.items():
-            each = zip(group, of_group.results, of_group.devices, of_group.tracks, strict=False)
-            for number, result, devices, track in each:
-                results[run, number], of_pieces[number], tracks[run, number] = result, devices, track
-            inside = [n for n, joint in enumerate(scene.joints) if joint.first in group]
-            of_joints |= {
-                n: tuple(column[k : k + 1] for column in of_group.devices[-1]) for k, n in enumerate(inside)
-            }
-        in_order = (
-            *map(of_pieces.__getitem__, range(shape[1])),
-            *map(of_joints.__getitem__, sorted(of_joints)),
-        )
-        columns.append([np.concatenate(column) for column in zip(*in_order, strict=True)])
-    devices, used = (np.array(column) for column in zip(*columns, strict=True))
-    seen = zip(*(seen for _, seen in ran), strict=True)
-    counted_results = results[:, counted]
-    return Runs(
-        members,
-        overturned=(counted_results["outcome"] == OVERTURNED_OUTCOME).any(axis=1),
-        missing=(results["outcome"] == FAILED_OUTCOME).any(axis=1),
-        hit_wall=np.any(counted_results["wall_impacts"] > 0, axis=1),
-        device_failed=(devices["failure"] != HOLDS).any(axis=1),
-        slide=counted_results["peak_slide"].max(axis=1),
-        tilt=counted_results["peak_tilt"].max(axis=1),
-        devices=devices,
-        used=used,
-        masses=np.ones(len(members)),
-        results=results,
-        **dict(zip(Seen._fields, map(np.array, seen), strict=True)),
-        tracks=tracks if keep else tracks[:, :0],
-    )

@@ -21,7 +21,8 @@ from stayput.montecarlo.counting import Members
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import DrawTable, Rows, draws, rows_of
 from stayput.montecarlo.scaled_motions import PreparedFloor
-from stayput.montecarlo.scenes import trace_draw
+from stayput.montecarlo.library import trace_draw
+from stayput.montecarlo.scene_draws import drawn_shaking
 from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
@@ -199,9 +200,11 @@ def _in_space(contest: Contest, options: Sequence[Option]) -> FirstRuns:
             return [runs.probability_of_overturning() for runs in anew.run(others, first)]
 
     def carrier(place: int, motion: int) -> Carrier:
-        scene, shaken = scenes[place], runner.shaking(motion, 0)
+        scene, draw = scenes[place], runner.library.draws.draw(motion, 0, 0, ("0",))
+        floor, scale = contest.floors.motions[motion], float(contest.floors.scales[motion])
+        shaken = drawn_shaking(floor, scale, draw, settings.gravity)
         fine = shaken.refined(parts(shaken.dt))
-        traced = trace_draw(scene, runner.draw(motion, 0), fine, settings.gravity, scene.names, stands)
+        traced = trace_draw(scene, draw, fine, settings.gravity, scene.names, stands)
         return Carrier.of_trace(fine, traced, scenario.piece.body().height)
 
     return overturns, carrier

@@ -10,11 +10,12 @@ from stayput.measures import Element, hold
 from stayput.mechanics.runner import shaking, trace
 from stayput.model.flat_fields import case_columns
 from stayput.montecarlo.counting import OFFSETS, Members
+from stayput.montecarlo.library import Library
 from stayput.montecarlo.runs import Runs, run_level
 from stayput.montecarlo.sampling import Rows, Settings, drawn_held, draws, rows_of
 from stayput.montecarlo.scaled_motions import FloorMotions, ScaledMotions
-from stayput.montecarlo.scene_draws import draws_of_scenario
-from stayput.montecarlo.scenes import KnownRuns, SceneRunner, replay
+from stayput.montecarlo.scene_draws import turns
+from stayput.montecarlo.scenes import SceneRunner, replay
 from stayput.motion.suites.suite import Suite
 from stayput.simulation.case import Case, run_of
 from stayput.simulation.placing import placed
@@ -33,6 +34,9 @@ if TYPE_CHECKING:
     from stayput.simulation.run import Run
     from stayput.simulation.scene import Scene
 
+
+DEMAND_RUNS = 16
+"""Runs with unbreakable devices, from which what they would have to bear is known to some tenth."""
 
 MOST_EVENTS = 2000
 """Events of a run in the plane that its plot marks: the first ones, and the last."""
@@ -72,9 +76,8 @@ def drawn_run(scenario: Scenario, option: Option, member: Member) -> Run:
     counts, gravity = (member.motion + 1, member.sample + 1), scenario.gravity
     initial = scenario.initial.state()
     if scenario.dimensions == 3:
-        draw = draws_of_scenario(scenario, *counts)[member.motion][member.sample]
         with scenario.naming_keys():
-            return replay(scenario.scene(option), draw, motion, scale, gravity, initial)
+            return replay(scenario, scenario.scene(option), member, motion, scale)
     scaled = motion.scaled(scale)
     each = draws(*counts, stated.seed, as_stated=stated.as_stated, quantities=stated.quantities)
     draw = each[member.motion][member.sample]
@@ -91,20 +94,21 @@ HeldBy = list[tuple[tuple[str, ...], Element | None]]
 """What holds the pieces of an option: the pieces, and the device; None of a joint."""
 
 
-_latest: list[tuple[Callable[[], Scenario | None], FloorMotions, KnownRuns]] = []
+_latest: list[tuple[Callable[[], Scenario | None], Library]] = []
 
 
-def _known_runs(scenario: Scenario, floors: FloorMotions) -> KnownRuns:
-    """Return the runs of a room if it is the one that was verified last: its plan makes most of them again.
+def _kept_library(scenario: Scenario, floors: FloorMotions) -> Library:
+    """Return the library of a room if it is the one that was verified last: its plan needs most of its runs.
 
-    They are kept as long as the scenario is, and those of one room alone: they take hundreds of megabytes.
+    It is kept as long as the scenario is, and that of one room alone: it takes hundreds of megabytes.
     """
-    for of, under, known in _latest[:]:  # at once, as other threads may verify other rooms
+    for of, library in _latest[:]:  # at once, as other threads may verify other rooms
+        under = library.floors
         if of() is scenario and under.motions == floors.motions and (under.scales == floors.scales).all():
-            return known
-    runs: KnownRuns = {}
-    _latest[:] = [(weakref.ref(scenario, lambda _: runs.clear()), floors, runs)]
-    return runs
+            return library
+    library = Library(scenario, floors)
+    _latest[:] = [(weakref.ref(scenario, lambda _: library.clear()), library)]
+    return library
 
 
 class Contest:
@@ -163,17 +167,15 @@ class Contest:
         nearby = [motions.stated_by(scenario, threads, times * factor) for factor in factors]
         further = [motions.at(float(level), threads) for level in levels]
         self.all_floors = FloorMotions.joined([self.floors, *nearby, *further])
-        self.members = Members.in_turn(self.settings.motions, self.settings.runs, beside=beside)
+        of_all = self.settings.motions, self.settings.runs
+        self.members = (
+            Members.in_quarters(*of_all) if turns(scenario) else Members.in_turn(*of_all, beside=beside)
+        )
         self.watcher = Watcher()
         self._scenes: dict[int, tuple[Option, Scene]] = {}
-        self.runner = SceneRunner(
-            scenario,
-            self.all_floors,
-            threads=threads,
-            advance=advance,
-            watch=self.watcher,
-            known=None if scenario.plan is None or times != 1.0 else _known_runs(scenario, self.floors),
-        )
+        again = scenario.plan is not None and times == 1.0
+        library = (_kept_library if again else Library)(scenario, self.all_floors)
+        self.runner = SceneRunner(scenario, library, threads=threads, advance=advance, watch=self.watcher)
 
     @property
     def in_plane(self) -> bool:
@@ -233,5 +235,6 @@ class Contest:
 
     def devices_of(self, option: Option, body: int) -> NDArray[np.void]:
         """Return what became of what holds a piece of a scene; see `SceneRunner.devices_of`."""
+        at_stated = self.members.chosen(self.members.level == 0)
         with self.scenario.naming_keys():
-            return self.runner.devices_of(self.scene(option), body, self.members)
+            return self.runner.devices_of(self.scene(option), body, at_stated.chosen(slice(DEMAND_RUNS)))

@@ -12,12 +12,12 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.montecarlo.runs import Runs
 from stayput.verification.people import events_of, hardest, harm_of
 
 if TYPE_CHECKING:
-    from stayput.fragility.probabilities import Probability
     from stayput.scenario.measures import Option
     from stayput.verification.contest import Contest
 
@@ -116,13 +116,13 @@ class Race:
         return sorted(range(1, len(self.options)), key=self._gain)
 
     def _gain(self, number: int) -> tuple[float, ...]:
-        """Return by how much harm, overturning and sliding are more than without anything, run by run."""
+        """Return by how much harm, what people read and sliding are more than without anything, run by run."""
         option, bare = paired(self.runs[number], self.runs[0])
         known, limit = ~(option.missing | bare.missing), self.contest.settings.slide_limit
         if not known.any():
             return (np.inf,)
         sliding = float(option.moved(limit)[known].mean() - bare.moved(limit)[known].mean())
-        less = self._overturning(number), sliding, self.options[number].count
+        less = self._more(number), sliding, self.options[number].count
         if self.contest.scenario.plan is None:
             return less
         harm, before = (
@@ -131,11 +131,11 @@ class Race:
         )
         return harm - before, *less
 
-    def _overturning(self, number: int) -> float:
-        """Return by how much it overturns more often than without anything, run by run."""
+    def _more(self, number: int) -> float:
+        """Return by how much more often what people read happens than without anything, run by run."""
         option, bare = paired(self.runs[number], self.runs[0])
         known = ~(option.missing | bare.missing)
-        more = option.overturned[known].mean() - bare.overturned[known].mean() if known.any() else np.inf
+        more = self._read(option)[known].mean() - self._read(bare)[known].mean() if known.any() else np.inf
         return float(more)
 
     def _known(self, number: int, best: int) -> bool:
@@ -145,20 +145,21 @@ class Race:
         if number not in (0, best):
             if self._beaten(number, best):
                 target *= BEATEN
-            elif self._overturning(number) > self._overturning(best) + NEAR:
+            elif self._more(number) > self._more(best) + NEAR:
                 target *= RUNNER_UP
-        chance = self._chance(self.runs[number])
+        runs = self.runs[number]
+        chance = runs.probability(self._read(runs))
         return chance.runs > 0 and chance.half_width <= target
 
-    def _chance(self, runs: Runs) -> Probability:
-        """Return the probability that people read first: that somebody is hit, or that it overturns."""
+    def _read(self, runs: Runs) -> NDArray[np.bool_]:
+        """Return what people read first: whether somebody is hit, or whether a counted piece overturns."""
         in_room = self.contest.scenario.plan is not None
         hit_is_read = in_room and len(self.contest.plan(self.options[0]).places) > 0
-        return runs.probability(events_of(runs)["hit"] if hit_is_read else runs.overturned)
+        return events_of(runs)["hit"] if hit_is_read else runs.overturned
 
     def _beaten(self, number: int, best: int) -> bool:
         option, first = self.runs[number], self.runs[best]
-        more = option.difference(option.overturned, first, first.overturned)
+        more = option.difference(self._read(option), first, self._read(first))
         return more.clear and more.estimate > 0.0
 
 
