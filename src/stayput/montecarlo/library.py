@@ -26,12 +26,14 @@ from stayput.montecarlo.sampling import drawn_floor
 from stayput.montecarlo.scene_draws import SceneDraw, SceneDraws, drawn_scene, drawn_shaking
 from stayput.simulation.groups import Group, Track, falls_across, groups_of_falls
 from stayput.simulation.placement import Placement
+from stayput.simulation.placing import placed
 from stayput.simulation.space import ENDS, names_of, results_of, trace_together
 from stayput.simulation.space_engine import STEP, SpaceShaking
 from stayput.simulation.space_records import NORMALS
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
+    from stayput.measures import Element
     from stayput.model.state import State
     from stayput.montecarlo.scaled_motions import FloorMotions
     from stayput.motion.record import Motion
@@ -71,6 +73,18 @@ class Kind:
         moves = [(piece.tilt, piece.velocity, piece.rotation_rate) for piece in scene.pieces]
         key = repr((pieces, moves, scene.joints, scene.room, scene.friction, streams))
         return cls(scene, called, streams, key)
+
+    @cached_property
+    def elements(self) -> list[tuple[Element, ...]]:
+        """What holds each of the pieces.
+
+        Raises
+        ------
+        InputError
+            Measures that cannot be put in place.
+        """
+        bodies = placed(self.scene, names=self.called)
+        return [() if body.held is None else body.held.elements for body in bodies]
 
     def run(
         self, draw: SceneDraw, floor: Motion, scale: float, gravity: float, initial: State | None
@@ -127,21 +141,23 @@ class Standing:
 
 def standings_of(scene: Scene, draws: SceneDraws) -> list[Standing]:
     """Return the groups of pieces of a scene, each with its kind and where it stands."""
-    return [_standing(scene, group, draws.streams(group)) for group in groups_of_falls(scene)]
+    return [standing_of(scene, group, draws) for group in groups_of_falls(scene)]
 
 
-def _standing(scene: Scene, group: Group, streams: tuple[str, ...]) -> Standing:
-    part, called = scene.part(group), names_of(scene, group)
+def standing_of(scene: Scene, group: Group, draws: SceneDraws) -> Standing:
+    """Return a group of pieces of a scene with its kind and where it stands."""
+    part, called, streams = scene.part(group), names_of(scene, group), draws.streams(group)
     first = part.pieces[0]
     axes = Placement.at(first.at[0], first.at[1], first.heading)
     own = part.along(axes)
-    room, kept = own.room, own.room
+    near = own.room
     for name in WALLS_AROUND:
-        wall = getattr(room, name)
-        if wall is not None and wall.gap > max(NEAR_WALL, *(_falls_as_far(piece, name) for piece in own.pieces)):
-            kept = replace(kept, **{name: None})
+        wall = getattr(own.room, name)
+        reach = max(NEAR_WALL, *(_falls_as_far(piece, name) for piece in own.pieces))
+        if wall is not None and wall.gap > reach:
+            near = replace(near, **{name: None})
     walled = Kind.of(own, called, streams)
-    kind = walled if kept == room else Kind.of(replace(own, room=kept), called, streams)
+    kind = walled if near == own.room else Kind.of(replace(own, room=near), called, streams)
     return Standing(group, axes, kind, walled)
 
 

@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import HOLDS
-from stayput.montecarlo.library import KindRun, Library, Standing, kind_run, standings_of
+from stayput.montecarlo.library import KindRun, Library, Standing, kind_run, standing_of, standings_of
 from stayput.montecarlo.runs import Runs
 from stayput.montecarlo.scene_draws import SceneDraw, SceneDraws, drawn_scene
-from stayput.simulation.groups import Group, Track
+from stayput.simulation.groups import Group, Track, groups_of_falls
 from stayput.simulation.placement import Placement
 from stayput.simulation.space import joined_groups, run_of_trace
 
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from stayput.montecarlo.counting import Member, Members
     from stayput.motion.record import Motion
     from stayput.scenario import Scenario
+    from stayput.simulation.piece import Piece
     from stayput.simulation.run import Run
     from stayput.simulation.scene import Scene
     from stayput.simulation.space import Trace
@@ -84,12 +85,28 @@ class SceneRunner:
         self.library, self._threads, self._advance = library, threads, advance
         self._watch, self._counted = watch, list(scenario.counted)
         self._placed: dict[tuple[int, Placement], tuple[KindRun, list[Track]]] = {}
+        self._standings: dict[tuple[int, ...], tuple[list[Piece], Standing]] = {}
 
     def anew(self, advance: Callable[[int], None]) -> SceneRunner:
         """Return the same with the same draws, which knows of no run yet."""
         runner = copy(self)
-        runner.library, runner._advance, runner._placed = self.library.anew(), advance, {}
+        runner.library, runner._advance = self.library.anew(), advance
+        runner._placed, runner._standings = {}, {}
         return runner
+
+    def standings(self, scene: Scene) -> list[Standing]:
+        """Return the groups of pieces of a scene; those of a room that options do not change are made once."""
+        draws, standings = self.library.draws, list[Standing]()
+        for group in groups_of_falls(scene):
+            pieces = [scene.pieces[number] for number in group]
+            key = (len(scene.joints), *map(id, pieces))
+            if scene.plan is None:  # how far away walls are depends on all pieces
+                standings.append(standing_of(scene, group, draws))
+                continue
+            if key not in self._standings:  # the pieces are kept with it, so that the ids stay their own
+                self._standings[key] = pieces, standing_of(scene, group, draws)
+            standings.append(self._standings[key][1])
+        return standings
 
     def run(self, scenes: Sequence[Scene], members: Members, *, keep: bool = False) -> list[Runs]:
         """Run scenes of the same pieces.
@@ -108,7 +125,7 @@ class SceneRunner:
         InputError
             Measures that cannot be put in place, as stated or in one of the draws.
         """
-        each = [standings_of(scene, self.library.draws) for scene in scenes]
+        each = [*map(self.standings, scenes)]
         all_runs = iter(self._runs_of([standing for of_scene in each for standing in of_scene], members))
         composed: list[Runs] = []
         for scene, standings in zip(scenes, each, strict=True):
@@ -118,8 +135,7 @@ class SceneRunner:
 
     def devices_of(self, scene: Scene, body: int, members: Members) -> NDArray[np.void]:
         """Return what became of what holds a piece: DEVICE, shape (runs, devices)."""
-        standings = standings_of(scene, self.library.draws)
-        standing = next(each for each in standings if body in each.group)
+        standing = next(each for each in self.standings(scene) if body in each.group)
         place = standing.group.index(body)
         return np.array([run.devices[place][0] for run in self._runs_of([standing], members)[0]])
 

@@ -263,12 +263,13 @@ def groups_of_falls(scene: Scene) -> list[Group]:
     spans = [span_of(body) for body in bodies]
     floors = [swept_floor(piece) for piece in pieces]
     swept = [span_of(floor) for floor in floors]
+    falls = [piece.turn[:2, falls_across(piece)] for piece in pieces]
     for a, b in combinations(range(len(pieces)), 2):
         (low, high), (least, most) = spans[a], spans[b]
         overlaps = (low <= most + BESIDE).all() and (least <= high + BESIDE).all()
         stands = min(abs(low[2] - most[2]), abs(least[2] - high[2])) <= BESIDE
         if (overlaps and stands) or any(
-            falls_along(pieces[one], pieces[other])
+            abs(falls[one] @ falls[other]) > math.sqrt(0.5)  # to within 45°: it strikes the broad side
             and not apart(swept[one], spans[other])
             and separation(floors[one], bodies[other])[0] <= 0.0
             for one, other in ((a, b), (b, a))
@@ -290,12 +291,6 @@ def falls_across(piece: Piece) -> int:
     """Return along which axis of its own frame a piece mostly falls: x (0), to front or back, or y (1)."""
     depth, length = np.ptp(piece.solid.vertices[:, :2], axis=0)
     return 0 if depth <= MUCH_DEEPER * length else 1
-
-
-def falls_along(piece: Piece, other: Piece) -> bool:
-    """Return whether two pieces fall along one line, to within 45°: one that falls then strikes the broad side."""
-    along, of_other = (each.turn[:2, falls_across(each)] for each in (piece, other))
-    return bool(abs(along @ of_other) > math.sqrt(0.5))
 
 
 def swept_floor(piece: Piece) -> Convex:

@@ -99,8 +99,7 @@ class FreeFloor:
         """
         if (corners < -1e-9).any() or (corners > np.array([self.plan.width, self.plan.length]) + 1e-9).any():
             return False
-        others = (piece for number, piece in enumerate(self.pieces) if number != but_piece)
-        solid = [_outline(piece) for piece in others]
+        solid = [outline for number, outline in enumerate(self._outlines) if number != but_piece]
         taken = [*solid, *(place.corners for place in self.plan.places if place.name != but_place)]
         taken += [
             _before(self.plan, door.wall, door.start, door.width, door.width) for door in self.plan.doors
@@ -120,13 +119,18 @@ class FreeFloor:
         return self._with_passage(beds, solid) >= needed
 
     @cached_property
+    def _outlines(self) -> list[NDArray[np.float64]]:
+        """What the pieces cover as they stand."""
+        return [outline_of(piece.solid.vertices @ piece.turn.T + np.asarray(piece.at)) for piece in self.pieces]
+
+    @cached_property
     def _beds(self) -> dict[str, NDArray[np.float64]]:
         """What people lie or sit on that takes the floor, by name."""
         return {place.name: place.corners for place in self.plan.places if place.blocks}
 
     @cached_property
     def _with_passage_now(self) -> set[str]:
-        return self._with_passage(self._beds, [_outline(piece) for piece in self.pieces])
+        return self._with_passage(self._beds, self._outlines)
 
     def _with_passage(
         self, beds: Mapping[str, NDArray[np.float64]], solid: Sequence[NDArray[np.float64]]
@@ -140,10 +144,6 @@ class FreeFloor:
             return bool(inside) and not any(overlap(strip, other) for other in others)
 
         return {name for name, bed in beds.items() if any(free(strip, name) for strip in passages(bed))}
-
-
-def _outline(piece: Piece) -> NDArray[np.float64]:
-    return outline_of((piece.solid.vertices @ piece.turn.T) + np.asarray(piece.at))
 
 
 def passages(bed: NDArray[np.float64]) -> Iterator[NDArray[np.float64]]:
@@ -238,11 +238,11 @@ def refuse_unheld(scene: Scene, body: int) -> None:
     body : int
         Which of them.
     """
-    all_placed = placed(scene)
-    pieces, held = [each.piece for each in all_placed], all_placed[body].held
+    (on_it,) = placed(scene.part([body]))
+    held = on_it.held
     assert held is not None
-    others = (piece for number, piece in enumerate(pieces) if number != body)
-    if any(inside_each_other(pieces[body], piece) > DEEPEST for piece in others):
+    others = (piece for number, piece in enumerate(scene.pieces) if number != body)
+    if any(inside_each_other(on_it.piece, piece) > DEEPEST for piece in others):
         raise InputError("rooms.leans_into", "measures")
     on_wall = {measure.kind for measure in held.measures if measure.drilled}
     if not on_wall:

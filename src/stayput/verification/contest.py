@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import weakref
 from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from stayput.measures import Element, hold
@@ -18,7 +20,6 @@ from stayput.montecarlo.scene_draws import turns
 from stayput.montecarlo.scenes import SceneRunner, replay
 from stayput.motion.suites.suite import Suite
 from stayput.simulation.case import Case, run_of
-from stayput.simulation.placing import placed
 from stayput.simulation.space import warn_of_settlement
 from stayput.verification.events import Watcher
 
@@ -186,11 +187,27 @@ class Contest:
         """Return the pieces where they stand with an option."""
         known = self._scenes.get(id(option))
         if known is None:  # the option is kept with its scene, so that the id stays its own
-            scene = self.scenario.scene(option)
             if not self._scenes:
-                warn_of_settlement(scene)
-            known = self._scenes[id(option)] = option, scene
+                warn_of_settlement(self._as_stated)
+            known = self._scenes[id(option)] = option, self._scene(option)
         return known[1]
+
+    @cached_property
+    def _as_stated(self) -> Scene:
+        return self.scenario.scene(self.scenario.stated)
+
+    def _scene(self, option: Option) -> Scene:
+        """Return the scene of an option: in a room of many pieces what is stated, with what is changed."""
+        base, stated = self._as_stated, self.scenario.stated
+        if base.plan is None or option.joined != stated.joined:
+            return self.scenario.scene(option)
+        with self.scenario.naming_keys():
+            pieces = [
+                piece if now == was else replace(piece, measures=now)
+                for piece, now, was in zip(base.pieces, option.on, stated.on, strict=True)
+            ]
+            scene = replace(base, pieces=pieces)
+            return scene.moved(option.moved) if option.moved else scene
 
     def plan(self, option: Option) -> FloorPlan:
         """Return the plan of a room with an option."""
@@ -204,13 +221,14 @@ class Contest:
         if self.in_plane:
             held = hold(scenario.piece.body(), scenario.room.room(), option.measures)
             return [(scenario.names, element) for element in held.elements]
-        scene = self.scene(option)
-        on_pieces = zip(scene.names, placed(scene), strict=True)
-        each = [((name,), element) for name, body in on_pieces if body.held for element in body.held.elements]
-        return [
-            *each,
-            *(((scene.names[joint.first], scene.names[joint.second]), None) for joint in scene.joints),
-        ]
+        scene, each = self.scene(option), list[tuple[tuple[str, ...], Element | None]]()
+        with scenario.naming_keys():
+            standings = self.runner.standings(scene)
+            on = {n: of for one in standings for n, of in zip(one.group, one.kind.elements, strict=True)}
+        for number, name in enumerate(scene.names):
+            each += [((name,), element) for element in on[number]]
+        joined = ((scene.names[joint.first], scene.names[joint.second]) for joint in scene.joints)
+        return [*each, *((pair, None) for pair in joined)]
 
     def rows(self, options: Sequence[Option], members: Members) -> list[Rows]:
         """Return the rows of options of a lone piece in the plane."""

@@ -109,13 +109,25 @@ class Ways:
         Parameters
         ----------
         door : Door
-            One that opens inwards needs the floor that it sweeps; any leaves its width free.
+            One of the plan that opens inwards needs the floor that it sweeps; any leaves its width free.
         covered : ndarray of bool, shape (nx, ny)
             As of `covered`.
         """
         if door.width < PASSAGE:
             return False
-        return door.opens != "inwards" or not (self._swept(door) & covered).any()
+        return door.opens != "inwards" or not (self._cells_swept[door] & covered).any()
+
+    @cached_property
+    def _cells_swept(self) -> dict[Door, NDArray[np.bool_]]:
+        return {door: self._swept(door) for door in self.plan.doors}
+
+    @cached_property
+    def _cells_at_doors(self) -> list[NDArray[np.bool_]]:
+        return [self._at_door(door) for door in self.plan.doors]
+
+    @cached_property
+    def _cells_at_places(self) -> list[NDArray[np.bool_]]:
+        return [self._at_place(place) for place in self.plan.places]
 
     def _swept(self, door: Door) -> NDArray[np.bool_]:
         """Return the cells that a door sweeps until its edge is a person's width from the other jamb."""
@@ -169,8 +181,8 @@ class Ways:
         sizes = np.bincount(parts.ravel())
         main = {int(sizes[1:].argmax()) + 1} if len(sizes) > 1 else set[int]()
         at_doors = [
-            self._beside(parts, self._at_door(door)) if self.opens(door, covered) else set[int]()
-            for door in self.plan.doors
+            self._beside(parts, near) if self.opens(door, covered) else set[int]()
+            for door, near in zip(self.plan.doors, self._cells_at_doors, strict=True)
         ]
         exits = any(door.way_out for door in self.plan.doors)  # else nobody is shut in by furniture
         ways = set[int]().union(
@@ -178,7 +190,7 @@ class Ways:
         )
         return (
             [not near & main for near in at_doors],
-            [exits and not self._beside(parts, self._at_place(place)) & ways for place in self.plan.places],
+            [exits and not self._beside(parts, near) & ways for near in self._cells_at_places],
         )
 
 

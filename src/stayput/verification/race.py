@@ -89,11 +89,14 @@ class Race:
             unknown = [number for number in everyone if not self._known(number, best)]
             done = {number: len(self.runs[number].members) for number in unknown}
             going = {number: count + STEP for number, count in done.items() if count < most}
-            if not going:
-                self.precise = not unknown
-                return
-            self._run_to(going)
-            yield
+            if going:
+                # what all are compared with has the runs of each, of which most are there where a room is composed
+                going[0] = max(len(self.runs[0].members), *going.values())
+                self._run_to(going)
+                yield
+                continue
+            self.precise = not unknown
+            return
 
     def _run_to(self, counts: dict[int, int]) -> None:
         """Run options until they have so many runs, as far as there are members."""
