@@ -165,6 +165,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "seconds": ("{value} s", "{value} 秒"),
     "peak_force": ("Largest force that it bore: median, 90 %", "負担した最大の力：中央値、90%値"),
     "used": ("Of its strength: median, 90 %", "強度に対する割合：中央値、90%値"),
+    "demand": ("Asked of its strength, were it unbreakable: median, 90 %",
+               "壊れないとした場合の力の強度に対する割合：中央値、90%値"),
     "devices": ("Loads in the devices", "器具にかかる力"),
     "parameter": ("Parameter", "項目"),
     "value": ("Value", "値"),

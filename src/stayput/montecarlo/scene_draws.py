@@ -91,11 +91,11 @@ class SceneDraws:
         self._columns: dict[str, dict[str, NDArray[np.float64]]] = {}
 
     @cached_property
-    def _kinds(self) -> list[int]:
+    def kinds(self) -> tuple[int, ...]:
         """Of each piece the number of its kind."""
         bodies = [piece.body for piece in self._scenario.scene().pieces]
         different = [body for number, body in enumerate(bodies) if body not in bodies[:number]]
-        return [different.index(body) for body in bodies]
+        return tuple(different.index(body) for body in bodies)
 
     def number(self, sample: int, axes: Placement = Placement()) -> tuple[int, int]:
         """Return which draw a sample is, and by how many quarter turns its direction is turned along axes."""
@@ -104,7 +104,7 @@ class SceneDraws:
 
     def streams(self, group: Sequence[int]) -> tuple[str, ...]:
         """Return the names of the draws of pieces that run together: copies there have draws of their own."""
-        each = [self._kinds[number] for number in group]
+        each = [self.kinds[number] for number in group]
         copies = [each[:place].count(kind) for place, kind in enumerate(each)]
         return tuple(f"{kind}.{copy}" if copy else str(kind) for kind, copy in zip(each, copies, strict=True))
 

@@ -164,7 +164,7 @@ class SceneRunner:
                 columns[shape[1] + number] = [
                     tuple(column[of_joint] for column in run.devices[-1]) for run in runs
                 ]
-            if scene.plan is not None:
+            if scene.plan is not None or keep:
                 for row, run in enumerate(runs):
                     tracks[row, numbers] = self._in_room(standing, run)
         devices, used = (

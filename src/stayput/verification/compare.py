@@ -26,7 +26,9 @@ from stayput.simulation.groups import at_rest
 from stayput.simulation.placing import JOINT
 from stayput.verification.contents import ContentsVerdict, contents_verdicts
 from stayput.verification.contest import Contest
+from stayput.verification.demand import with_demand
 from stayput.verification.events import zones_of
+from stayput.verification.meetings import meetings_of
 from stayput.verification.notes import Estimates
 from stayput.verification.options import compared_options
 from stayput.verification.people import hardest, harm_of, people_of, typical_of
@@ -117,13 +119,21 @@ def compare(
                 option.name: _as_installed(how, share, contest, option, well[option.name])
                 for option, how, share in faulty
             }
-        more["inside"] = contents_verdicts(contest, options)
+        more["inside"] = contents_verdicts(contest, options, [len(runs.members) for runs in race.runs])
         if len(asked):
             more["at_levels"] = [
                 contest.run(race.options, Members.of_samples(settings.motions, settings.samples, level=1 + level))
                 for level in range(len(asked))
             ]
         verdict = so_far(**more)
+        best, *others = verdict.options
+        verdict = replace(
+            verdict,
+            options=(with_demand(contest, best), *others),
+            runs=count.done,
+            kinds=(0,) if scenario.alone else contest.runner.library.draws.kinds,
+            meetings=meetings_of(contest, options[0], race.runs[0]),
+        )
     return replace(verdict, complete=True)
 
 

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 
 DEMAND_RUNS = 16
-"""Runs with unbreakable devices, from which what they would have to bear is known to some tenth."""
+"""Runs at the stated shaking with unbreakable devices: the median of 16 peaks is within their middle half."""
 
 MOST_EVENTS = 2000
 """Events of a run in the plane that its plot marks: the first ones, and the last."""
@@ -192,6 +192,11 @@ class Contest:
             known = self._scenes[id(option)] = option, self._scene(option)
         return known[1]
 
+    @property
+    def demand_members(self) -> Members:
+        """The runs from which it is told what devices would have to bear."""
+        return self.members.chosen(self.members.level == 0).chosen(slice(DEMAND_RUNS))
+
     @cached_property
     def _as_stated(self) -> Scene:
         return self.scenario.scene(self.scenario.stated)
@@ -253,6 +258,5 @@ class Contest:
 
     def devices_of(self, option: Option, body: int) -> NDArray[np.void]:
         """Return what became of what holds a piece of a scene; see `SceneRunner.devices_of`."""
-        at_stated = self.members.chosen(self.members.level == 0)
         with self.scenario.naming_keys():
-            return self.runner.devices_of(self.scene(option), body, at_stated.chosen(slice(DEMAND_RUNS)))
+            return self.runner.devices_of(self.scene(option), body, self.demand_members)

@@ -59,7 +59,7 @@ class Race:
 
     def __init__(self, contest: Contest, options: Sequence[Option]) -> None:
         self.contest, self.options = contest, [*options]
-        self._tracked = len(options) if contest.scenario.plan is not None else 0
+        self._tracked = 0 if contest.scenario.alone else len(options)
         self.runs: list[Runs] = []
         self.precise = False
 

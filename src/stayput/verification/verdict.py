@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from stayput.verification.changes import Change
     from stayput.verification.contents import ContentsVerdict
     from stayput.verification.events import Zones
+    from stayput.verification.meetings import Meeting
     from stayput.verification.notes import Estimates
     from stayput.verification.options import Impossible
     from stayput.verification.people import People
@@ -52,8 +53,7 @@ class DeviceSummary:
     failure_time : float
         Median time of failure of those runs [s]; nan where it never failed.
     peak : Quantiles
-        Largest force that it bore, of pull or push and shear together [N]: until it failed, if it did. What
-        was asked of it is that of the same device which cannot fail: `stayput.measures.Measure.unbreakable`.
+        Largest force that it bore, of pull or push and shear together [N]: until it failed, if it did.
     used : Quantiles
         Largest force over strength: below 1 there was a margin, where it failed it is at least 1; 0 for a
         device without a strength to reach.
@@ -61,6 +61,9 @@ class DeviceSummary:
         What gave way in most of the runs in which it failed, or would first; none where nothing can.
     pieces : tuple of str
         The piece that it holds; of a joint the two that it joins.
+    demand : Quantiles, optional
+        Largest force on the same device that cannot fail, over its strength; of the best option alone, and none
+        of what any force leaves whole. See `stayput.verification.demand`.
     """
 
     kind: str
@@ -71,6 +74,7 @@ class DeviceSummary:
     used: Quantiles
     weakest: Phrase | None = None
     pieces: tuple[str, ...] = ()
+    demand: Quantiles | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -281,6 +285,10 @@ class Verdict(InJson):
         Whether it is final; else more samples or the curves are still to come.
     floor : str
         The upper floors that the motions were stated for; "" where they are of the ground.
+    kinds : tuple of int
+        Of each piece the number of its kind: pieces of one body share their runs.
+    meetings : tuple of Meeting
+        Pieces that run by themselves and come together, as the scene is stated.
 
     Examples
     --------
@@ -314,6 +322,8 @@ class Verdict(InJson):
     impossible: tuple[Impossible, ...] = ()
     complete: bool = True
     floor: str = ""
+    kinds: tuple[int, ...] = ()
+    meetings: tuple[Meeting, ...] = ()
 
     def __repr__(self) -> str:
         ranked = ", ".join(

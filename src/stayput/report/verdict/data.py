@@ -246,6 +246,9 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
             }
             for item in verdict.impossible
         ],
+        "meetings": [
+            {"pieces": [first, second], **_probability(chance)} for first, second, chance in verdict.meetings
+        ],
         "estimates": None if verdict.estimates is None else _estimates(verdict.estimates),
         "everyday": everyday_data(verdict.scenario) if verdict.scenario.alone else None,
         "assumptions": [
@@ -430,6 +433,7 @@ def _device(device: DeviceSummary) -> dict[str, Any]:
         "failure_time_s": number(device.failure_time),
         "peak_force_n": quantiles_data(device.peak),
         "utilisation": quantiles_data(device.used),
+        "demand": None if device.demand is None else quantiles_data(device.demand),
         "weakest": None if device.weakest is None else by_language(device.weakest),
     }
 
