@@ -37,7 +37,7 @@ from stayput.rooms.steps import (
     in_order_of_gain,
     merit,
 )
-from stayput.simulation.groups import groups_at_first
+from stayput.simulation.groups import groups_of_falls
 from stayput.simulation.placing import placed
 from stayput.verification.changes import Change, measures_for, refuse_unheld, with_changes
 from stayput.verification.compare import option_verdict
@@ -51,6 +51,12 @@ if TYPE_CHECKING:
     from stayput.fragility.probabilities import Probability
     from stayput.measures import Measure
     from stayput.scenario.measures import Option
+
+PLAN_RUNS = 32
+"""Runs of what a plan tells: eight motions from four directions."""
+
+TRIAL_RUNS, CANDIDATES = 8, 2
+"""Runs of all that is tried, and how many of the best of it are then run as often as what is told."""
 
 WEAKER_CLASSES = ("6-upper", "6-lower", "5-upper", "5-lower", "4")
 """Classes of intensity, the strongest first, in which it is tried whether a device that is too weak holds."""
@@ -158,17 +164,19 @@ class _Planner:
     def __init__(self, contest: Contest, home: Home, decisions: Decisions) -> None:
         self.contest, self.home, self.decisions = contest, home, decisions
         self.scenario, self.base = contest.scenario, contest.scenario.stated
-        (self.runs,) = contest.run([self.base], contest.members, keep=True)
+        self._members = contest.members.chosen(slice(PLAN_RUNS))
+        (self.runs,) = contest.run([self.base], self._members, keep=True)
         self.as_it_is = option_verdict(contest, self.base, self.runs, None)
         self.scene = contest.scene(self.base)
-        self.group_of = {body: group for group in groups_at_first(self.scene) for body in group}
+        self.group_of = {body: group for group in groups_of_falls(self.scene) for body in group}
         struck = np.flatnonzero(hits_in(self.runs).any(axis=(0, 1))).tolist()
         self.harmful = {*struck} | harmful_pieces(contest, self.base, self.runs)
         self.falling = falling_pieces(self.runs)
         self.drilled: dict[str, Fix] = {}
         self.not_enough: dict[str, Fix] = {}
         self._not_taken: dict[str, dict[tuple[str, ...], Phrase]] = {}
-        self._known: dict[str, OptionVerdict] = {}
+        self._known: dict[tuple[str, int], OptionVerdict] = {}
+        self._clear: dict[tuple[int, tuple[str, ...]], bool] = {}
         self._weaker: dict[float, Contest] = {}
 
     def steps(self) -> tuple[tuple[PlanStep, ...], tuple[str, ...]]:
@@ -240,12 +248,12 @@ class _Planner:
     def _with(self, changes: Iterable[Change]) -> Option:
         return with_changes(self.base, changes, self.scenario.names)
 
-    def _effect(self, changes: Sequence[Change]) -> OptionVerdict:
-        """Return what changes bring; the same ones run once."""
-        key = repr(sorted(map(repr, changes)))
+    def _effect(self, changes: Sequence[Change], count: int = PLAN_RUNS) -> OptionVerdict:
+        """Return what changes bring in the first so many runs."""
+        key = repr(sorted(map(repr, changes))), count
         if key not in self._known:
             option = self._with(changes)
-            (runs,) = self.contest.run([option], self.contest.members)
+            (runs,) = self.contest.run([option], self._members.chosen(slice(count)))
             self._known[key] = option_verdict(self.contest, option, runs, self.runs)
         return self._known[key]
 
@@ -255,7 +263,8 @@ class _Planner:
             return self.decisions.moves
         may_move = self.harmful - set(self.decisions.measures)
         moves = [*moves_of(self.contest, self.base, self.runs, may_move)]
-        helping = [move for move in moves if self._effect([move]).helps]
+        moves.sort(key=lambda move: in_order_of_gain(self._effect([move], TRIAL_RUNS)))
+        helping = [move for move in moves[:CANDIDATES] if self._effect([move]).helps]
         return (min(helping, key=lambda move: in_order_of_gain(self._effect([move]))),) if helping else ()
 
     def _moving(self, move: Change) -> PlanStep:
@@ -281,21 +290,22 @@ class _Planner:
         why = self._not_taken.setdefault(self.scenario.names[body], {})
         if decided is None:
             why |= {kinds: phrase("action_plan.drills") for kinds in TRIED if not self.home.allows(kinds)}
-            tried = self._helpful(body, moves, [kinds for kinds in TRIED if self.home.allows(kinds)])
+            tried, sound = self._tried(body, moves, self.home.allows)
         else:
-            tried = [self._trial(body, self._in_number(body, decided, moves))]
+            tried, sound = [self._trial(body, decided)], None
         if not tried:
             self._with_drilling(body, moves)
             return None
-        sound = None if decided else self._sound(tried, body, moves)
-        fix = sound or self._fitted(min(tried, key=merit), body, moves)
+        fix = sound or self._fitted(self._in_full(min(tried, key=merit), body, moves), body, moves)
         if not fix.enough or not fix.alone.helps:
             self._with_drilling(body, moves)
         undrilled = [trial for trial in tried if not any(measure.drilled for measure in trial.measures)]
         instead = self._sound(undrilled, body, moves) if fix.drilled else None
         shown = {way.kinds for way in (fix, instead) if way is not None}
         best = next(trial for trial in tried if trial.kinds == fix.kinds)
-        why.update({trial.kinds: why_not(trial, best) for trial in tried if trial.kinds not in shown})
+        for trial in tried:
+            if trial.kinds not in shown:
+                why.setdefault(trial.kinds, why_not(trial, best))
         measures, was = tuple(purchase.measure for purchase in fix.purchases), self._overturned(body)
         deciding = inputs_of_piece(measures, self.scenario, body)
         what, alone, as_decided = self.scenario.names[body], fix.alone, decided is not None
@@ -307,20 +317,38 @@ class _Planner:
 
     def _with_drilling(self, body: int, moves: tuple[Change, ...]) -> None:
         """Keep the best measures on a piece that only the ban on drilling rules out, where they are sound."""
-        tried = self._helpful(body, moves, [kinds for kinds in TRIED if not self.home.allows(kinds)])
-        if fix := self._sound(tried, body, moves):
+        if fix := self._tried(body, moves, lambda kinds: not self.home.allows(kinds))[1]:
             self.drilled[self.scenario.names[body]] = fix
+
+    def _tried(
+        self, body: int, moves: tuple[Change, ...], allowed: Callable[[tuple[str, ...]], bool]
+    ) -> tuple[list[Trial], Fix | None]:
+        """Run sets of measures on a piece, two together where single ones are too weak; return the sound ones."""
+        tried = self._helpful(body, moves, [kinds for kinds in TRIED if len(kinds) == 1 and allowed(kinds)])
+        sound = self._sound(tried, body, moves)
+        if sound is None and any(self._clear.get((body, trial.kinds)) for trial in tried):
+            tried += self._helpful(body, moves, [kinds for kinds in TRIED if len(kinds) > 1 and allowed(kinds)])
+            sound = self._sound(tried, body, moves)
+        return tried, sound
 
     def _sound(self, tried: Iterable[Trial], body: int, moves: tuple[Change, ...]) -> Fix | None:
         """Return the best measures that clearly help and are not too weak where the piece will stand."""
-        helping = sorted((trial for trial in tried if trial.effect.helps), key=merit)
-        fixes = (self._fitted(trial, body, moves) for trial in helping)
-        return next((fix for fix in fixes if fix.sound), None)
+        why = self._not_taken[self.scenario.names[body]]
+        for trial in sorted(tried, key=merit)[:CANDIDATES]:
+            full = self._in_full(trial, body, moves)
+            self._clear[body, trial.kinds] = full.effect.helps
+            if full.effect.helps and (fix := self._fitted(full, body, moves)).sound:
+                return fix
+            why[trial.kinds] = why_not(full, full) if full.effect.helps else phrase("action_plan.no_gain")
+        return None
+
+    def _in_full(self, trial: Trial, body: int, moves: tuple[Change, ...]) -> Trial:
+        """Return a trial in all runs of the plan, with as many devices as are needed."""
+        return self._trial(body, self._in_number(body, trial.measures, moves), PLAN_RUNS)
 
     def _helpful(self, body: int, moves: tuple[Change, ...], sets: Sequence[tuple[str, ...]]) -> list[Trial]:
         """Run sets of measures on a piece; return those that help and can be put on it where it will be."""
-        now, helpful = self._overturned(body), list[Trial]()
-        bare = Trial((), self.as_it_is, self._harm(self.as_it_is, body), now, now)
+        bare, helpful = self._trial(body, ()), list[Trial]()
         why = self._not_taken[self.scenario.names[body]]
         for kinds in sets:
             measures = measures_for(kinds, self.scene, body)
@@ -328,7 +356,7 @@ class _Planner:
             if refused is not None:
                 why[kinds] = refused
                 continue
-            trial = self._trial(body, self._in_number(body, measures, moves))
+            trial = self._trial(body, measures)
             if merit(trial) < merit(bare):
                 helpful.append(trial)
             else:
@@ -342,9 +370,9 @@ class _Planner:
     def _on(self, body: int, measures: tuple[Measure, ...]) -> tuple[Change, ...]:
         return tuple(Change(self.scenario.names[body], measure) for measure in measures)
 
-    def _trial(self, body: int, measures: tuple[Measure, ...]) -> Trial:
+    def _trial(self, body: int, measures: tuple[Measure, ...], count: int = TRIAL_RUNS) -> Trial:
         """Run measures on a piece where it stands."""
-        effect = self._effect(self._on(body, measures))
+        effect = self._effect(self._on(body, measures), count)
         overturns = effect.pieces[body].probabilities[OVERTURNED]
         return Trial(measures, effect, self._harm(effect, body), overturns, self._gives_way(effect, body))
 
