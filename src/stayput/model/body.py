@@ -430,7 +430,7 @@ pieces commonly have: plinths and side boards, adjustable feet or casters. A tel
 
 @lru_cache(maxsize=256)
 def _solid_of(body: Body) -> Solid:
-    """Return the shape and mass in space of a body that is made by its section; options share their bodies."""
+    """Return the shape and mass in space of a body that is made by its section; options share bodies."""
     from stayput.model.flat_fields import row_alone
 
     return Solid.of_case(row_alone(body))

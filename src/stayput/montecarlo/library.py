@@ -1,9 +1,9 @@
 """The library of runs of a verification: what becomes of each kind of piece under each motion and draw.
 
-What becomes of a piece depends on its kind (its body, its measures, the floor, the walls that it reaches), on the
-motion and the direction in which that shakes the piece, and on the draw: not on its name, where in the room it
-stands, or what else is there. So each kind is run in axes of its own, and a room is composed of such runs,
-turned and shifted to where its pieces stand.
+What becomes of a piece depends on its kind (its body, its measures, the floor, the walls that it reaches), on
+the motion and the direction in which that shakes the piece, and on the draw: not on its name, where in the
+room it stands, or what else is there. So each kind is run in axes of its own, and a room is composed of such
+runs, turned and shifted to where its pieces stand.
 """
 
 from __future__ import annotations
@@ -15,7 +15,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-import numpy as np
 from numpy.typing import NDArray
 
 from stayput.execution import Pool
@@ -32,6 +31,8 @@ from stayput.simulation.space_engine import STEP, SpaceShaking
 from stayput.simulation.space_records import NORMALS
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from stayput.catalogue import Phrase
     from stayput.measures import Element
     from stayput.model.state import State
@@ -42,7 +43,7 @@ if TYPE_CHECKING:
     from stayput.simulation.space import Trace
 
 NEAR_WALL = 0.3
-"""Gap up to which a wall belongs to the kind of a piece [m]: it slides that far, and devices reach no farther."""
+"""Gap up to which a wall belongs to the kind of a piece [m]: it slides that far; devices reach less far."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,7 +15,7 @@ from stayput.measures.wall import REACH
 from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room
 from stayput.montecarlo.counting import QUARTERS
 from stayput.montecarlo.sampling import AS_STATED, INSETS, Draw, drawn_body, drawn_place, drawn_surfaces
-from stayput.simulation.placement import Placement
+from stayput.simulation.placement import ORIGIN, Placement
 from stayput.simulation.placing import planes_around, room_seen
 from stayput.simulation.scene import STRENGTH_RANGE, Scene
 from stayput.simulation.space_engine import SpaceShaking
@@ -71,8 +71,9 @@ class SceneDraws:
     """Draws of what is uncertain of the pieces of a scenario, made when they are asked for.
 
     Pieces of one body are of one kind, and have the same draws. In a room whose motions' direction is drawn,
-    samples go by `QUARTERS`: one draw shakes it from the drawn direction and from those at right angles to it.
-    For who falls a quarter turn is as good as a new draw, and one run of a kind serves pieces that face any wall.
+    samples go by `QUARTERS`: one draw shakes it from the drawn direction and from those at right angles to
+    it. For who falls a quarter turn is as good as a new draw, and one run of a kind then serves pieces that
+    face any wall.
 
     Parameters
     ----------
@@ -97,7 +98,7 @@ class SceneDraws:
         different = [body for number, body in enumerate(bodies) if body not in bodies[:number]]
         return tuple(different.index(body) for body in bodies)
 
-    def number(self, sample: int, axes: Placement = Placement()) -> tuple[int, int]:
+    def number(self, sample: int, axes: Placement = ORIGIN) -> tuple[int, int]:
         """Return which draw a sample is, and by how many quarter turns its direction is turned along axes."""
         draw, quarter = divmod(sample, self._turns)
         return draw, (quarter - axes.quarter_turns) % QUARTERS

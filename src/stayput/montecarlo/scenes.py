@@ -1,4 +1,4 @@
-"""Monte Carlo runs of scenes, composed of the runs of a library: what became of all pieces under each draw."""
+"""Monte Carlo runs of scenes, composed of the runs of a library: what became of each piece in each."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from stayput.montecarlo.library import KindRun, Library, Standing, kind_run, sta
 from stayput.montecarlo.runs import Runs
 from stayput.montecarlo.scene_draws import SceneDraw, SceneDraws, drawn_scene
 from stayput.simulation.groups import Group, Track, groups_of_falls
-from stayput.simulation.placement import Placement
-from stayput.simulation.space import joined_groups, run_of_trace
+from stayput.simulation.placement import ORIGIN, Placement
+from stayput.simulation.space import Trace, joined_groups, run_of_trace
 
 if TYPE_CHECKING:
     from stayput.model.floor_plan import FloorPlan
@@ -27,7 +27,6 @@ if TYPE_CHECKING:
     from stayput.simulation.piece import Piece
     from stayput.simulation.run import Run
     from stayput.simulation.scene import Scene
-    from stayput.simulation.space import Trace
 
 
 class Seen(NamedTuple):
@@ -95,7 +94,7 @@ class SceneRunner:
         return runner
 
     def standings(self, scene: Scene) -> list[Standing]:
-        """Return the groups of pieces of a scene; those of a room that options do not change are made once."""
+        """Return the groups of pieces of a scene; those that options of a room leave alone are made once."""
         draws, standings = self.library.draws, list[Standing]()
         for group in groups_of_falls(scene):
             pieces = [scene.pieces[number] for number in group]
@@ -230,7 +229,7 @@ def replay(scenario: Scenario, scene: Scene, member: Member, motion: Motion, sca
         if standing.reaches_far_wall(kind_run(traced, shaking)):
             traced, _ = standing.walled.run(*how)
         traces[standing.group] = replace(traced.in_room(), axes=axes).in_room()
-    draw = drawn(Placement(), draws.streams(range(len(scene.pieces))))
+    draw = drawn(ORIGIN, draws.streams(range(len(scene.pieces))))
     shown, room = motion.scaled(scale).pointing(draw.direction), drawn_scene(scene, draw).room
     run = run_of_trace(joined_groups(scene, traces), scene.joints, room, shown)
     return replace(run, names=scene.names, plan=scene.plan)

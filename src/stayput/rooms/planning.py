@@ -323,11 +323,12 @@ class _Planner:
     def _tried(
         self, body: int, moves: tuple[Change, ...], allowed: Callable[[tuple[str, ...]], bool]
     ) -> tuple[list[Trial], Fix | None]:
-        """Run sets of measures on a piece, two together where single ones are too weak; return the sound ones."""
-        tried = self._helpful(body, moves, [kinds for kinds in TRIED if len(kinds) == 1 and allowed(kinds)])
+        """Run sets of measures on a piece, two together where one is too weak; also return what is sound."""
+        single, double = ([kinds for kinds in TRIED if len(kinds) == n and allowed(kinds)] for n in (1, 2))
+        tried = self._helpful(body, moves, single)
         sound = self._sound(tried, body, moves)
         if sound is None and any(self._clear.get((body, trial.kinds)) for trial in tried):
-            tried += self._helpful(body, moves, [kinds for kinds in TRIED if len(kinds) > 1 and allowed(kinds)])
+            tried += self._helpful(body, moves, double)
             sound = self._sound(tried, body, moves)
         return tried, sound
 

@@ -255,8 +255,8 @@ def groups_at_first(scene: Scene) -> list[Group]:
 def groups_of_falls(scene: Scene) -> list[Group]:
     """Return which pieces of a scene a verification runs together, in the order of the first of each.
 
-    Those of which one stands on the other, that are joined, or that stand in rows: parallel, and so close that
-    one falls onto the other's base. What else meets hardly changes who falls, and takes most of the time.
+    Those of which one stands on the other, that are joined, or that stand in rows: parallel, and so close
+    that one falls onto the other's base. What else meets hardly changes who falls, and takes most time.
     """
     pieces, pairs = scene.pieces, [(joint.first, joint.second) for joint in scene.joints]
     bodies = [body_at(at_rest(piece), np.zeros(1, np.intp)) for piece in pieces]

@@ -17,7 +17,7 @@ WALLS_IN_TURN = tuple(sorted(FACING, key=lambda wall: FACING[wall] % (2.0 * math
 class Placement(NamedTuple):
     """Where the axes are in a room along which pieces were run: turned by quarter turns, then shifted.
 
-    Quarter turns swap and negate coordinates, so that no bit of a run changes with the wall at which it is put.
+    Quarter turns swap and negate coordinates, so no bit of a run changes with the wall at which it stands.
 
     Parameters
     ----------
@@ -55,6 +55,10 @@ class Placement(NamedTuple):
     def wall(self, name: str) -> str:
         """Return which wall of the room one of the axes' walls is."""
         return wall_after(name, self.quarter_turns)
+
+
+ORIGIN = Placement()
+"""Axes that are those of the room."""
 
 
 def turned(vectors: NDArray[np.float64], quarter_turns: int) -> NDArray[np.float64]:

@@ -267,7 +267,7 @@ class Scene:
         return replace(self, pieces=[replace(piece, measures=measures)], room=room)
 
     def along(self, axes: Placement) -> Scene:
-        """Return the scene in axes that stand in it: positions from their origin, walls by what they are there.
+        """Return the scene in axes that stand in it: positions from their origin, walls as they are there.
 
         Positions are rounded to a picometre, and 0 is added, which makes 0 of −0, so that copies of a piece
         are the same to the bit.
@@ -275,7 +275,9 @@ class Scene:
         turns = -axes.quarter_turns
 
         def point(at: tuple[float, float, float]) -> tuple[float, float, float]:
-            x, y, z = (turned(np.array([at[0] - axes.x, at[1] - axes.y, at[2]]), turns).round(12) + 0.0).tolist()
+            x, y, z = (
+                turned(np.array([at[0] - axes.x, at[1] - axes.y, at[2]]), turns).round(12) + 0.0
+            ).tolist()
             return x, y, z
 
         def vector(of_piece: tuple[float, float, float]) -> tuple[float, float, float]:

@@ -23,7 +23,7 @@ from stayput.model.parameters import GRAVITY
 from stayput.simulation.case import scene_of
 from stayput.simulation.groups import Group, Track, groups_at_first, joined_traces, run_in_groups, tracks_of
 from stayput.simulation.outcome import OUTCOMES, Hit, Outcome, case_results
-from stayput.simulation.placement import Placement
+from stayput.simulation.placement import ORIGIN, Placement
 from stayput.simulation.placing import Placed, joint_results, joint_springs, placed, planes_around
 from stayput.simulation.run import PieceRun, Run, default_names
 from stayput.simulation.space_engine import STEP, TOUCHES, Gaps, SpaceShaking, SpaceTrace, run_world
@@ -85,7 +85,7 @@ class Trace:
     planes: NDArray[np.void]
     trace: SpaceTrace
     gravity: float
-    axes: Placement = Placement()
+    axes: Placement = ORIGIN
 
     @cached_property
     def pieces(self) -> list[Piece]:
@@ -108,7 +108,7 @@ class Trace:
     def in_room(self) -> Trace:
         """Return the same in the axes of the room."""
         axes = self.axes
-        if axes == Placement():
+        if axes == ORIGIN:
             return self
         half = 0.5 * axes.heading
         turn = np.array([math.cos(half), 0.0, 0.0, math.sin(half)])
@@ -140,7 +140,6 @@ class Trace:
             hits=hits,
         )
         return Trace(tuple(bodies), planes, trace, self.gravity)
-
 
     def among(self, planes: NDArray[np.void]) -> Trace:
         """Return the same among all planes of a room, of which it may have run with some."""
@@ -281,7 +280,7 @@ def trace_together(
     """
     called = names or names_of(scene, range(len(scene.pieces)))
     axes = Placement(*min(piece.at for piece in scene.pieces)[:2])
-    scene = scene.along(axes) if axes != Placement() else scene
+    scene = scene.along(axes) if axes != ORIGIN else scene
     bodies = placed(scene, strength, drawn_floor, called, initial)
     planes = planes_around(scene.pieces, scene.around)
     pieces, floors = [body.piece for body in bodies], [body.floor for body in bodies]

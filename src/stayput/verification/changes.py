@@ -121,7 +121,9 @@ class FreeFloor:
     @cached_property
     def _outlines(self) -> list[NDArray[np.float64]]:
         """What the pieces cover as they stand."""
-        return [outline_of(piece.solid.vertices @ piece.turn.T + np.asarray(piece.at)) for piece in self.pieces]
+        return [
+            outline_of(piece.solid.vertices @ piece.turn.T + np.asarray(piece.at)) for piece in self.pieces
+        ]
 
     @cached_property
     def _beds(self) -> dict[str, NDArray[np.float64]]:

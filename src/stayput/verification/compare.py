@@ -119,10 +119,13 @@ def compare(
                 option.name: _as_installed(how, share, contest, option, well[option.name])
                 for option, how, share in faulty
             }
-        more["inside"] = contents_verdicts(contest, options, [len(runs.members) for runs in race.runs])
+        counts = [len(runs.members) for runs in race.runs]
+        more["inside"] = contents_verdicts(contest, options, counts)
         if len(asked):
             more["at_levels"] = [
-                contest.run(race.options, Members.of_samples(settings.motions, settings.samples, level=1 + level))
+                contest.run(
+                    race.options, Members.of_samples(settings.motions, settings.samples, level=1 + level)
+                )
                 for level in range(len(asked))
             ]
         verdict = so_far(**more)

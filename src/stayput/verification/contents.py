@@ -18,10 +18,10 @@ from stayput.execution import Pool
 from stayput.fragility.paired import Difference, difference
 from stayput.fragility.probabilities import Probability, probability, probability_of_counts
 from stayput.montecarlo.counting import Members
+from stayput.montecarlo.library import trace_draw
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import DrawTable, Rows, draws, rows_of
 from stayput.montecarlo.scaled_motions import PreparedFloor
-from stayput.montecarlo.library import trace_draw
 from stayput.montecarlo.scene_draws import drawn_shaking
 from stayput.uncertainty import QUANTITIES, Uncertainty
 
@@ -176,8 +176,8 @@ def less_out(first: ContentsVerdict, second: ContentsVerdict, comparisons: int) 
 
 
 FirstRuns: TypeAlias = "tuple[Callable[[Body, int], Probability], Callable[[int, int], Carrier]]"
-"""How often another body with nothing in place overturns under so many motions, and how the piece moves with an
-option under a motion: first draws.
+"""How often another body with nothing in place overturns under so many motions, and how the piece moves with
+an option under a motion: first draws.
 """
 
 

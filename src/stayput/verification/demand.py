@@ -1,7 +1,7 @@
 """What the devices of an option would have to bear: their forces in runs in which they cannot fail.
 
-A device that fails has borne no more than its strength. So demand over strength is taken from runs with the same
-device in its unbreakable form, of the same stiffness, which fall under the same motions and draws.
+A device that fails has borne no more than its strength. So demand over strength is taken from runs with the
+same device in its unbreakable form, of the same stiffness, under the same motions and draws.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from stayput.scenario.measures import Option
     from stayput.verification.contest import Contest
     from stayput.verification.verdict import OptionVerdict
+
 
 def with_demand(contest: Contest, verdict: OptionVerdict) -> OptionVerdict:
     """Return the verdict on an option with what is asked of its devices, over what they bear.
@@ -43,7 +44,8 @@ def with_demand(contest: Contest, verdict: OptionVerdict) -> OptionVerdict:
 
 def unbreakable(option: Option) -> Option:
     """Return an option whose devices cannot fail; the ones that have no strength are as they are."""
-    return replace(option, on=tuple(tuple(each.unbreakable() for each in measures) for measures in option.on))
+    on = tuple(tuple(measure.unbreakable() for measure in measures) for measures in option.on)
+    return replace(option, on=on)
 
 
 def _demand(element: Element, runs: Runs, number: int) -> Quantiles | None:
@@ -51,7 +53,9 @@ def _demand(element: Element, runs: Runs, number: int) -> Quantiles | None:
     normal, tangent, device = element.normal, element.tangent, runs.devices[:, number]
     across = min(tangent.limit_plus, tangent.limit_minus) if tangent.stiffness > 0.0 else np.inf
     strengths = {"peak_pull": normal.limit_plus, "peak_push": normal.limit_minus, "peak_shear": across}
-    ratios = [runs.masses * device[name] / limit for name, limit in strengths.items() if 0.0 < limit < np.inf]
+    finite = {name: limit for name, limit in strengths.items() if 0.0 < limit < np.inf}
+    ratios = [runs.masses * device[name] / limit for name, limit in finite.items()]
     if not ratios:
         return None
-    return Quantiles.of(np.max(ratios, axis=0)[~runs.missing], np.zeros((~runs.missing).sum(), np.bool_))
+    asked = np.max(ratios, axis=0)[~runs.missing]
+    return Quantiles.of(asked, np.zeros_like(asked, np.bool_))

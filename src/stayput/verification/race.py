@@ -90,7 +90,7 @@ class Race:
             done = {number: len(self.runs[number].members) for number in unknown}
             going = {number: count + STEP for number, count in done.items() if count < most}
             if going:
-                # what all are compared with has the runs of each, of which most are there where a room is composed
+                # what all are compared with has all runs of each; of a room most are there already
                 going[0] = max(len(self.runs[0].members), *going.values())
                 self._run_to(going)
                 yield
@@ -119,7 +119,7 @@ class Race:
         return sorted(range(1, len(self.options)), key=self._gain)
 
     def _gain(self, number: int) -> tuple[float, ...]:
-        """Return by how much harm, what people read and sliding are more than without anything, run by run."""
+        """Return by how much harm, what people read and sliding exceed those without anything, run by run."""
         option, bare = paired(self.runs[number], self.runs[0])
         known, limit = ~(option.missing | bare.missing), self.contest.settings.slide_limit
         if not known.any():
