@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from copy import deepcopy
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
@@ -13,12 +13,14 @@ from stayput.measures import LBracket
 from stayput.mechanics.columns import FAILED_OUTCOME
 from stayput.montecarlo.counting import MOTIONS_IN_BLOCK, QUARTERS, Members
 from stayput.montecarlo.library import standings_of
-from stayput.montecarlo.runs import Runs
 from stayput.montecarlo.scene_draws import SceneDraws
 from stayput.scenario import Scenario
 from stayput.simulation.groups import groups_of_falls
 from stayput.simulation.outcome import OUTCOMES
 from stayput.verification.contest import Contest, drawn_run
+
+if TYPE_CHECKING:
+    from stayput.montecarlo.runs import Runs
 
 SHELF = {"width": 0.3, "height": 1.8, "mass": 60.0, "length": 0.9}
 
@@ -64,7 +66,7 @@ def test_copies_read_the_same_number() -> None:
 
 
 def test_a_quarter_turn_of_the_room_turns_the_run() -> None:
-    # what the piece at the left wall does under a direction, that at the near wall does under its quarter turn
+    # what the piece at the left wall does, that at the near wall does under a quarter turn of the direction
     runs = ran(ROOM)
     members = runs.members
     for run, (motion, sample, _) in enumerate(members):
@@ -86,7 +88,7 @@ def test_a_name_changes_nothing_and_a_further_piece_no_other() -> None:
 
 
 def test_a_far_wall_counts_where_a_piece_reaches_it() -> None:
-    # 1.9 m from the wall opposite a shelf of 1.8 m stands free of it, unless it slides: then it is run with it
+    # 2 m from the wall opposite a shelf of 1.8 m stands free of it, unless it slides: then it runs with it
     corridor = deepcopy(ROOM)
     corridor["plan"] = {"width": 2.3, "length": 5.0}
     corridor["furniture"] = corridor["furniture"][:1]

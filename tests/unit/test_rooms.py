@@ -18,7 +18,7 @@ from stayput.fragility.probabilities import probability
 from stayput.measures import LBracket
 from stayput.model.floor_plan import FACING
 from stayput.montecarlo.counting import SLIDE_LIMIT, Members
-from stayput.montecarlo.scene_draws import DrawOfSeveral, drawn_shaking
+from stayput.montecarlo.scene_draws import SceneDraw, drawn_shaking
 from stayput.report.room.report import room_markdown, simulations_of_room
 from stayput.report.verdict.data import verdict_data
 from stayput.simulation.groups import groups_at_first
@@ -309,7 +309,7 @@ def test_a_room_is_simulated_with_all_its_pieces_together():
 
 def test_a_room_is_simulated_under_a_motion_of_its_direction():
     plain, pointing = changed().motion(), changed(direction=0.7).motion()
-    shaking = drawn_shaking(plain, 1.0, DrawOfSeveral((), 1.0, 1.0, direction=0.7), 9.8)
+    shaking = drawn_shaking(plain, 1.0, SceneDraw((), 1.0, 1.0, direction=0.7), 9.8)
     assert plain.y is not None
     assert np.allclose(pointing.x, shaking.acceleration[:, 0])
     assert np.allclose(pointing.y, shaking.acceleration[:, 1])

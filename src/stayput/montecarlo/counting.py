@@ -76,7 +76,7 @@ class Members:
         The number of each run's motion, of the draw under it, and of the level: of those in `OFFSETS`, or of
         further ones.
     cluster : ndarray of int, shape (runs,)
-        Runs of the same number may be alike: those of one motion, from one direction where it is turned.
+        Runs of the same number may be alike: those of one motion, but where each has a direction of its own.
     """
 
     motion: NDArray[np.intp]
@@ -110,13 +110,14 @@ class Members:
     def in_quarters(cls, motions: int, runs: int) -> Self:
         """Return runs of all motions in turn, each from all four directions before the next motions.
 
-        So what stands elsewhere and is turned meets the same motions from the same directions.
+        So what stands elsewhere and is turned meets the same motions from the same directions. From another
+        direction a motion is as good as another motion: who falls under both correlates by about 0.
         """
         run = np.arange(runs)
         block, place = np.divmod(run, MOTIONS_IN_BLOCK * QUARTERS)
         quarter, motion = np.divmod(place, MOTIONS_IN_BLOCK)
         draw, motion = np.divmod(block * MOTIONS_IN_BLOCK + motion, motions)
-        return cls(motion, draw * QUARTERS + quarter, np.zeros_like(run), motion * QUARTERS + quarter)
+        return cls(motion, draw * QUARTERS + quarter, np.zeros_like(run), run)
 
     def __len__(self) -> int:
         return len(self.motion)

@@ -317,4 +317,5 @@ def trace_draw(
     """Run the pieces of a scene together under one draw and its `drawn_shaking`; see `trace_together`."""
     floor = partial(drawn_floor, draw=draw.room)
     drawn = drawn_scene(scene, draw)
-    return trace_together(drawn, shaking, gravity, step, draw.room.strength, floor, names, initial, lies)
+    of_draw = step, draw.room.strength, floor, names, initial, lies
+    return trace_together(drawn, shaking, gravity, *of_draw, make_room=True)

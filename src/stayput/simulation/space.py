@@ -28,7 +28,7 @@ from stayput.simulation.placing import Placed, joint_results, joint_springs, pla
 from stayput.simulation.run import PieceRun, Run, default_names
 from stayput.simulation.space_engine import STEP, TOUCHES, Gaps, SpaceShaking, SpaceTrace, run_world
 from stayput.simulation.space_fate import Fate, fates_of, slides, unrolled, upright_yaws
-from stayput.simulation.space_records import frames_of, matrices, product, surface_of, world_of
+from stayput.simulation.space_records import APART, frames_of, matrices, product, surface_of, world_of
 from stayput.wording import joined, name_within
 
 if TYPE_CHECKING:
@@ -260,6 +260,8 @@ def trace_together(
     names: Sequence[str | Phrase] = (),
     initial: State | None = None,
     lies: float = math.inf,
+    *,
+    make_room: bool = False,
 ) -> Trace:
     """Run the pieces of a scene as one group, from where the leftmost stands: its bits do not depend on that.
 
@@ -277,6 +279,8 @@ def trace_together(
         The initial state of furniture; at rest by default.
     lies : float
         How long all pieces lie before the run ends [s].
+    make_room : bool
+        Whether walls give way to what leans into them as it stands: in draws, which lean other than stated.
     """
     called = names or names_of(scene, range(len(scene.pieces)))
     axes = Placement(*min(piece.at for piece in scene.pieces)[:2])
@@ -284,6 +288,10 @@ def trace_together(
     bodies = placed(scene, strength, drawn_floor, called, initial)
     planes = planes_around(scene.pieces, scene.around)
     pieces, floors = [body.piece for body in bodies], [body.floor for body in bodies]
+    if make_room:
+        for plane in planes[1:]:
+            normal = (float(plane["nx"]), float(plane["ny"]), float(plane["nz"]))
+            plane["offset"] = min(plane["offset"], *(piece.reach(normal)[0] - APART for piece in pieces))
     world = world_of([piece.solid for piece in pieces], floors, planes, scene.friction)
     springs = np.concatenate([*(body.springs for body in bodies), joint_springs(pieces, scene.joints)])
     poses, moved = np.stack([body.pose for body in bodies]), (shaking.acceleration, shaking.dt)

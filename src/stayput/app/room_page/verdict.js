@@ -12,7 +12,7 @@ import * as room from "./room.js";
 
 const ENDED = ["done", "cancelled", "refused", "empty"],
   BETWEEN = " · ";
-const CARE = { quick: "0.25", usual: "", fine: "0.1" }, // half-widths of chances; the server has a usual one
+const CARE = { quick: "0.25", usual: "", fine: "0.08" }, // half-widths of chances; the server has a usual one
   OWN = "own";
 
 /** How precise the verdict is to be; "own" where the room states what is none of the choices. */
