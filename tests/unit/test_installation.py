@@ -119,7 +119,7 @@ def test_every_form_of_the_verdict_says_it(usual):
     assert "を実際の取付けのとおりとすると、" in usual.sentence("ja")
     assert clause in verdict_markdown(usual).replace("\\", "")
     assert clause in report_html(usual, "en")
-    assert "（23%が" in verdict_markdown(usual, "ja")
+    assert "23%が取付け不良" in verdict_markdown(usual, "ja")
     data = {one["name"]: one for one in json.loads(usual.to_json())["options"]}
     told = data["l_bracket"]["as_installed"]
     assert told["badly_share"] == FAULTY

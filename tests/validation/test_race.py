@@ -32,7 +32,7 @@ class Contest:
     fell: np.ndarray
     members: Members
     in_plane: bool = False
-    scenario: Any = field(default_factory=lambda: SimpleNamespace(plan=None))
+    scenario: Any = field(default_factory=lambda: SimpleNamespace(plan=None, alone=True))
     settings: Any = field(default_factory=lambda: SimpleNamespace(precision=None, slide_limit=0.1))
 
     @classmethod

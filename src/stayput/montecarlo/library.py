@@ -47,7 +47,7 @@ NEAR_WALL = 0.3
 
 
 @dataclass(frozen=True, eq=False)
-class Kind:
+class PieceKind:
     """Pieces that run together, with their measures and the walls that they reach, in axes of their own.
 
     Parameters
@@ -68,7 +68,7 @@ class Kind:
     key: str
 
     @classmethod
-    def of(cls, scene: Scene, called: Sequence[str | Phrase], streams: tuple[str, ...]) -> Kind:
+    def of(cls, scene: Scene, called: Sequence[str | Phrase], streams: tuple[str, ...]) -> PieceKind:
         """Return that of a scene in axes of its own."""
         pieces = [(piece.body, piece.at, piece.heading, piece.measures) for piece in scene.pieces]
         moves = [(piece.tilt, piece.velocity, piece.rotation_rate) for piece in scene.pieces]
@@ -107,16 +107,16 @@ class Standing:
         Their numbers in the scene.
     axes : Placement
         Where the axes of their kind are in the scene.
-    kind : Kind
+    kind : PieceKind
         They with the walls that are near.
-    walled : Kind
+    walled : PieceKind
         They with all walls.
     """
 
     group: Group
     axes: Placement
-    kind: Kind
-    walled: Kind
+    kind: PieceKind
+    walled: PieceKind
 
     @cached_property
     def _far_walls(self) -> list[tuple[int, int, float]]:
@@ -150,15 +150,15 @@ def standing_of(scene: Scene, group: Group, draws: SceneDraws) -> Standing:
     part, called, streams = scene.part(group), names_of(scene, group), draws.streams(group)
     first = part.pieces[0]
     axes = Placement.at(first.at[0], first.at[1], first.heading)
-    own = part.along(axes)
-    near = own.room
+    in_axes = part.along(axes)
+    near = in_axes.room
     for name in WALLS_AROUND:
-        wall = getattr(own.room, name)
-        reach = max(NEAR_WALL, *(_falls_as_far(piece, name) for piece in own.pieces))
+        wall = getattr(in_axes.room, name)
+        reach = max(NEAR_WALL, *(_falls_as_far(piece, name) for piece in in_axes.pieces))
         if wall is not None and wall.gap > reach:
             near = replace(near, **{name: None})
-    walled = Kind.of(own, called, streams)
-    kind = walled if near == own.room else Kind.of(replace(own, room=near), called, streams)
+    walled = PieceKind.of(in_axes, called, streams)
+    kind = walled if near == in_axes.room else PieceKind.of(replace(in_axes, room=near), called, streams)
     return Standing(group, axes, kind, walled)
 
 
@@ -265,7 +265,7 @@ class Library:
         of_groups = list(zip(standings, keys, strict=True))
         with Pool(threads) as pool:
             self._make({key: each.kind for each, of_group in of_groups for key in of_group}, pool, advance)
-            with_walls = dict[RunKey, Kind]()
+            with_walls = dict[RunKey, PieceKind]()
             for each, of_group in of_groups:
                 for place, key in enumerate(of_group):
                     if each.reaches_far_wall(self._runs[key]):
@@ -274,7 +274,7 @@ class Library:
             self._make(with_walls, pool, advance)
         return [[self._runs[key] for key in of_group] for of_group in keys]
 
-    def _make(self, wanted: Mapping[RunKey, Kind], pool: Pool, advance: Callable[[int], None]) -> None:
+    def _make(self, wanted: Mapping[RunKey, PieceKind], pool: Pool, advance: Callable[[int], None]) -> None:
         """Make those of some runs that are not there yet."""
         missing = [key for key in wanted if key not in self._runs]
         self.draws.prepare(max((key.draw for key in missing), default=0))
@@ -283,7 +283,7 @@ class Library:
             self._runs[missing[number]] = run
             advance(1)
 
-    def _run(self, kind: Kind, key: RunKey) -> KindRun:
+    def _run(self, kind: PieceKind, key: RunKey) -> KindRun:
         place = key.level * self.floors.each + key.motion
         floor = self.floors.motions[place], float(self.floors.scales[place])
         draw = self.draws.draw(key.motion, key.draw, key.quarter, kind.streams)

@@ -120,8 +120,8 @@ class SceneDraws:
         between, joints, lean, towards = (shared.pop(name) for name in (*LIKE, "lean", "direction"))
         of_pieces = list[Draw]()
         for stream in streams:
-            own = self._drawn(stream, draw) if stream != "0" else {}
-            values = shared | {name: float(column[motion, draw]) for name, column in own.items()}
+            columns = self._drawn(stream, draw) if stream != "0" else {}
+            values = shared | {name: float(column[motion, draw]) for name, column in columns.items()}
             of_pieces.append(Draw(**values, lean=0.0))
         points = towards if self._scenario.points is None else self._scenario.points
         direction = points - self._scenario.facing + 0.5 * math.pi * quarter

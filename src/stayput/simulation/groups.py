@@ -269,10 +269,10 @@ def groups_of_falls(scene: Scene) -> list[Group]:
         overlaps = (low <= most + BESIDE).all() and (least <= high + BESIDE).all()
         stands = min(abs(low[2] - most[2]), abs(least[2] - high[2])) <= BESIDE
         if (overlaps and stands) or any(
-            abs(falls[one] @ falls[other]) > math.sqrt(0.5)  # to within 45°: it strikes the broad side
-            and not apart(swept[one], spans[other])
-            and separation(floors[one], bodies[other])[0] <= 0.0
-            for one, other in ((a, b), (b, a))
+            abs(falls[striker] @ falls[struck]) > math.sqrt(0.5)  # to within 45°: it strikes the broad side
+            and not apart(swept[striker], spans[struck])
+            and separation(floors[striker], bodies[struck])[0] <= 0.0
+            for striker, struck in ((a, b), (b, a))
         ):
             pairs.append((a, b))
     return _merged([(number,) for number in range(len(pieces))], pairs)

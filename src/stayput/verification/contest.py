@@ -229,7 +229,11 @@ class Contest:
         scene, each = self.scene(option), list[tuple[tuple[str, ...], Element | None]]()
         with scenario.naming_keys():
             standings = self.runner.standings(scene)
-            on = {n: of for one in standings for n, of in zip(one.group, one.kind.elements, strict=True)}
+            on = {
+                number: elements
+                for standing in standings
+                for number, elements in zip(standing.group, standing.kind.elements, strict=True)
+            }
         for number, name in enumerate(scene.names):
             each += [((name,), element) for element in on[number]]
         joined = ((scene.names[joint.first], scene.names[joint.second]) for joint in scene.joints)

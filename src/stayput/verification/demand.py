@@ -49,7 +49,7 @@ def unbreakable(option: Option) -> Option:
 
 
 def _demand(element: Element, runs: Runs, number: int) -> Quantiles | None:
-    """Return the largest force on a device over its strength as stated; None of what any force leaves whole."""
+    """Return the largest force on a device over its strength; None of what any force leaves whole."""
     normal, tangent, device = element.normal, element.tangent, runs.devices[:, number]
     across = min(tangent.limit_plus, tangent.limit_minus) if tangent.stiffness > 0.0 else np.inf
     strengths = {"peak_pull": normal.limit_plus, "peak_push": normal.limit_minus, "peak_shear": across}

@@ -55,9 +55,9 @@ def meetings_of(contest: Contest, option: Option, runs: Runs) -> tuple[Meeting, 
         return ()
     names, meetings = contest.scenario.names, list[Meeting]()
     groups = [standing.group for standing in contest.runner.standings(contest.scene(option))]
-    for one, other in combinations(groups, 2):
-        for a in one:
-            for b in other:
+    for group, further in combinations(groups, 2):
+        for a in group:
+            for b in further:
                 together = np.array([meet(row[a], row[b]) for row in runs.tracks.tolist()])
                 if together.any():
                     meetings.append(Meeting(names[a], names[b], runs.probability(together)))

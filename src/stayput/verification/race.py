@@ -35,6 +35,12 @@ A run in the plane takes a tenth of the time of one in space."""
 NEAR = 0.1
 """How much less often the best overturns than one that must be known as well: their order is open."""
 
+CONTENDS, CONTENDER = 0.15, 0.8
+"""How much less often the best overturns than one that may be as good, and their factor on the half-width.
+
+Where something helps by `NEAR` or more, the options between which it is open are known better than others:
+else what is told as the best is more than 5 points worse than the best in one of twelve races."""
+
 RUNNER_UP, BEATEN = 1.25, 1.9
 """Factors on the half-width for other options: those that may still be the best, and those that cannot be."""
 
@@ -90,8 +96,9 @@ class Race:
             done = {number: len(self.runs[number].members) for number in unknown}
             going = {number: count + STEP for number, count in done.items() if count < most}
             if going:
-                # what all are compared with has all runs of each; of a room most are there already
-                going[0] = max(len(self.runs[0].members), *going.values())
+                if not self.contest.scenario.alone:
+                    # what all are compared with has all runs of each: most of them are there already
+                    going[0] = max(len(self.runs[0].members), *going.values())
                 self._run_to(going)
                 yield
                 continue
@@ -145,7 +152,9 @@ class Race:
         """Return whether what people read of an option is known well enough."""
         precision = self.contest.settings.precision
         target = HALF_WIDTHS[2 if self.contest.in_plane else 3] if precision is None else precision
-        if number not in (0, best):
+        if number in self._contenders(best):
+            target *= CONTENDER
+        elif number not in (0, best):
             if self._beaten(number, best):
                 target *= BEATEN
             elif self._more(number) > self._more(best) + NEAR:
@@ -153,6 +162,15 @@ class Race:
         runs = self.runs[number]
         chance = runs.probability(self._read(runs))
         return chance.runs > 0 and chance.half_width <= target
+
+    def _contenders(self, best: int) -> list[int]:
+        """Return the options of which it is open which is the best, where they help; else none."""
+        least = self._more(best)
+        if best == 0 or least > -NEAR:
+            return []
+        near = [n for n in range(1, len(self.options)) if self._more(n) <= least + CONTENDS]
+        unbeaten = [number for number in near if number == best or not self._beaten(number, best)]
+        return unbeaten if len(unbeaten) > 1 else []
 
     def _read(self, runs: Runs) -> NDArray[np.bool_]:
         """Return what people read first: whether somebody is hit, or whether a counted piece overturns."""

@@ -62,8 +62,7 @@ class DeviceSummary:
     pieces : tuple of str
         The piece that it holds; of a joint the two that it joins.
     demand : Quantiles, optional
-        Largest force on the same device that cannot fail, over its strength; of the best option alone, and
-        none of what any force leaves whole. See `stayput.verification.demand`.
+        Largest force on it if it cannot fail, over its strength; see `stayput.verification.demand`.
     """
 
     kind: str
