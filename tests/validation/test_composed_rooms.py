@@ -51,8 +51,8 @@ ROWS: dict[str, Any] = {
 OFFICE: dict[str, Any] = {
     "plan": {"width": 5.0, "length": 4.0},
     "furniture": [
-        {"name": "case 1", "preset": "bookcase", "against": "left_wall", "along": 0.8},
-        {"name": "case 2", "preset": "bookcase", "against": "left_wall", "along": 2.0},
+        {"name": "case 1", "preset": "bookcase", "against": "left_wall", "along": 1.1},
+        {"name": "case 2", "preset": "bookcase", "against": "left_wall", "along": 2.3},
         {"name": "case 3", "preset": "bookcase", "against": "far_side_wall", "along": 2.0},
         {"name": "machine", "preset": "vending machine", "against": "right_wall", "along": 3.0},
         {"name": "chest", "preset": "chest", "against": "near_side_wall", "along": 2.0},
