@@ -11,7 +11,6 @@ import pytest
 import stayput as sp
 from stayput.measures import LBracket
 from stayput.mechanics.columns import FAILED_OUTCOME
-from stayput.montecarlo.counting import MOTIONS_IN_BLOCK, QUARTERS, Members
 from stayput.montecarlo.library import standings_of
 from stayput.montecarlo.scene_draws import SceneDraws
 from stayput.scenario import Scenario
@@ -33,8 +32,17 @@ ROOM: dict[str, Any] = {
         {"name": "north", **SHELF, "against": "far_side_wall", "along": 3.0},
     ],
     "places": [{"kind": "desk", "at": [1.4, 2.5]}],
-    "shaking": {"intensity": "6-upper", "suite": {"family": "mixed", "count": 8}},
+    "shaking": {"intensity": "6-upper", "suite": {"family": "mixed", "count": 16}},
     "uncertainty": {"samples": 32},
+}
+
+
+SIDE_BY_SIDE: dict[str, Any] = {
+    **ROOM,
+    "furniture": [
+        {"name": f"shelf {number}", **SHELF, "against": "left_wall", "along": 0.9 + 1.0 * number}
+        for number in range(4)
+    ],
 }
 
 
@@ -51,29 +59,31 @@ def made_runs(table: dict[str, Any], runs: int = 32) -> int:
     return sum(counts)
 
 
-def test_four_copies_at_four_walls_take_the_runs_of_one() -> None:
-    # eight motions from four directions: each is met by one of the four pieces from each
-    assert made_runs(ROOM) == 32
+def test_copies_that_face_the_same_way_take_the_runs_of_one() -> None:
+    assert made_runs(SIDE_BY_SIDE, 8) == 8
+    assert made_runs(ROOM, 8) == 32  # they meet a motion from four directions
 
 
 def test_copies_read_the_same_number() -> None:
-    # every copy meets all motions from all directions, in another order
-    runs = ran(ROOM)
-    for piece in range(1, 4):
-        for name in ("outcome", "peak_slide", "peak_tilt"):
-            first, other = (np.sort(runs.results[name][:, column]) for column in (0, piece))
-            assert np.array_equal(first, other)
+    verdict = sp.verify(Scenario.parse(ROOM), changes=False, progress=False)
+    first, *others = verdict.without.pieces
+    assert first.probabilities["overturned"].runs == 4 * verdict.without.runs
+    for other in others:
+        assert other.probabilities == first.probabilities
+        assert (other.slide, other.tilt) == (first.slide, first.tilt)
+    assert any("are of one kind" in note for note in verdict.notes())
 
 
-def test_a_quarter_turn_of_the_room_turns_the_run() -> None:
-    # what the piece at the left wall does, that at the near wall does under a quarter turn of the direction
-    runs = ran(ROOM)
-    members = runs.members
-    for run, (motion, sample, _) in enumerate(members):
-        later = np.flatnonzero((members.motion == motion) & (members.sample == (sample + 1) % QUARTERS))[0]
-        west, south = runs.tracks[run, 0], runs.tracks[later, 1]
-        moved, turned = (track.place - track.place[0] for track in (west, south))
-        assert np.allclose(turned, np.column_stack((-moved[:, 1], moved[:, 0], moved[:, 2])), atol=1e-12)
+def test_a_motion_from_a_quarter_turn_on_turns_the_run() -> None:
+    table = {**ROOM, "direction": 0.3}
+    west = ran(table, 8).tracks[:, 0]
+    south = ran({**table, "direction": 0.3 + 0.5 * np.pi}, 8).tracks[:, 1]
+    for run, turned_run in zip(west, south, strict=True):
+        moved, turned = (track.place - track.place[0] for track in (run, turned_run))
+        if len(moved) == len(turned):  # rounding of the direction is enlarged by impacts
+            assert np.allclose(
+                turned[:50], np.column_stack((-moved[:, 1], moved[:, 0], moved[:, 2]))[:50], atol=1e-6
+            )
 
 
 def test_a_name_changes_nothing_and_a_further_piece_no_other() -> None:
@@ -116,14 +126,14 @@ def test_pieces_in_rows_run_together_and_others_do_not() -> None:
 
 def test_measures_run_by_kind() -> None:
     counts: list[int] = []
-    contest = Contest(Scenario.parse(ROOM), 0.1, 1, advance=counts.append)
-    base, members = contest.scenario.stated, contest.members.chosen(slice(32))
+    contest = Contest(Scenario.parse(SIDE_BY_SIDE), 0.1, 1, advance=counts.append)
+    base, members = contest.scenario.stated, contest.members.chosen(slice(8))
     on = [tuple((LBracket(),) if piece == held else () for piece in range(4)) for held in range(4)]
     options = [type(base)(f"on {held}", measures) for held, measures in enumerate(on)]
     each = contest.run([base, *options], members)
-    assert sum(counts) == 64  # those without and with brackets
-    held = [np.sort(runs.results["peak_tilt"][:, piece]) for piece, runs in enumerate(each[1:])]
-    assert all(np.array_equal(held[0], other) for other in held[1:])
+    assert sum(counts) == 16  # those without and with brackets
+    for piece, runs in enumerate(each[1:]):
+        assert (runs.results[:, piece] != each[0].results[:, piece]).any()
 
 
 @pytest.mark.parametrize("run", [0, 9, 18, 27])
@@ -134,12 +144,3 @@ def test_a_run_made_again_is_the_one_that_was_counted(run: int) -> None:
         assert result["outcome"] != FAILED_OUTCOME
         assert piece.outcome == OUTCOMES[result["outcome"]]
         assert piece.peak_slide == pytest.approx(result["peak_slide"], abs=1e-9)
-
-
-def test_members_meet_all_directions_before_other_motions() -> None:
-    members = Members.in_quarters(20, 60)
-    block = MOTIONS_IN_BLOCK * QUARTERS
-    assert len({(motion, sample) for motion, sample, _ in members}) == 60
-    assert set(members.motion[:block].tolist()) == set(range(MOTIONS_IN_BLOCK))
-    assert all((members.sample[:block][members.motion[:block] == 0] == np.arange(QUARTERS)).tolist())
-    assert len(np.unique(members.cluster)) == 60

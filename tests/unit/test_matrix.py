@@ -163,7 +163,7 @@ def test_python_objects_in_the_place_of_tables(
 def test_own_quantities_are_drawn_for_every_piece() -> None:
     draws = SceneDraws(own_quantities(sp.Scenario.parse(scene("three", {}))), 1)
     streams = draws.streams(range(3))
-    drawn = [draws.draw(0, number, 0, streams) for number in range(4)]
+    drawn = [draws.draw(0, number, streams) for number in range(4)]
     assert all(2.0 <= piece.mass <= 2.1 for draw in drawn for piece in draw.pieces)
 
 

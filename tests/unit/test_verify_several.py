@@ -61,7 +61,7 @@ SLOW = {"amplitude": 2.5, "frequency": 1.5, "duration": 3.0}
 
 def drawn_of(scenario: Scenario, motion: int = 0, number: int = 0) -> SceneDraw:
     draws = SceneDraws(scenario, motion + 1)
-    return draws.draw(motion, number, 0, draws.streams(range(len(scenario.pieces))))
+    return draws.draw(motion, number, draws.streams(range(len(scenario.pieces))))
 
 
 DRAW = drawn_of(Scenario.parse({**DRESSER, "uncertainty": {"seed": 2}}))

@@ -22,7 +22,7 @@ from stayput.verification.contest import Contest
 from stayput.verification.events import FALLS, Watcher
 
 SHELF = {"width": 0.3, "height": 1.8, "mass": 80.0, "length": 0.9}
-SHAKING = {"intensity": "6-upper", "suite": {"family": "mixed", "count": 8}}
+SHAKING = {"intensity": "6-upper", "suite": {"family": "mixed", "count": 24}}
 
 BEDROOM: dict[str, Any] = {
     "plan": {"width": 3.6, "length": 2.7},
@@ -94,9 +94,8 @@ def followed(contest: Contest) -> Answer:
         for piece, stream in zip(standing.group, standing.kind.streams, strict=True):
             streams[piece] = stream
     for motion, sample, _ in contest.members.chosen(slice(RUNS)):
-        number, quarter = draws.number(sample)
-        of_pieces = [draws.draw(motion, number, quarter, [stream]).pieces[0] for stream in streams]
-        draw = draws.draw(motion, number, quarter, ["0"])._replace(pieces=tuple(of_pieces))
+        of_pieces = [draws.draw(motion, sample, [stream]).pieces[0] for stream in streams]
+        draw = draws.draw(motion, sample, ["0"])._replace(pieces=tuple(of_pieces))
         shaking = drawn_shaking(floors.motions[motion], float(floors.scales[motion]), draw, scenario.gravity)
 
         def run(group: Group, draw: Any = draw, shaking: Any = shaking) -> Trace:

@@ -50,12 +50,6 @@ OFFSETS = (0.0, 0.4, -0.4)
 
 Curves need runs beside the stated level; so near to it one tells of the share there as much as 0.4 runs."""
 
-QUARTERS = 4
-"""Directions from which one draw shakes a room: the drawn one, and its quarter turns."""
-
-MOTIONS_IN_BLOCK = 8
-"""Motions that shake a room from all directions before others do: as many kinds of motions as there are."""
-
 _LEVELS_IN_TURN = (0, 0, 1, 0, 2)
 
 
@@ -75,20 +69,17 @@ class Members:
     motion, sample, level : ndarray of int, shape (runs,)
         The number of each run's motion, of the draw under it, and of the level: of those in `OFFSETS`, or of
         further ones.
-    cluster : ndarray of int, shape (runs,)
-        Runs of the same number may be alike: those of one motion, but where each has a direction of its own.
     """
 
     motion: NDArray[np.intp]
     sample: NDArray[np.intp]
     level: NDArray[np.intp]
-    cluster: NDArray[np.intp]
 
     @classmethod
     def of_samples(cls, motions: int, samples: int, start: int = 0, level: int = 0) -> Self:
         """Return so many draws of each motion, one motion after the other, at one level."""
         motion, sample = np.indices((motions, samples)).reshape(2, -1)
-        return cls(motion, sample + start, np.full(len(motion), level), motion)
+        return cls(motion, sample + start, np.full(len(motion), level))
 
     @classmethod
     def in_turn(cls, motions: int, runs: int, *, beside: bool) -> Self:
@@ -104,20 +95,7 @@ class Members:
         """
         sample, motion = np.divmod(np.arange(runs), motions)
         level = np.array(_LEVELS_IN_TURN)[(motion + sample) % len(_LEVELS_IN_TURN)]
-        return cls(motion, sample, level if beside else np.zeros_like(level), motion)
-
-    @classmethod
-    def in_quarters(cls, motions: int, runs: int) -> Self:
-        """Return runs of all motions in turn, each from all four directions before the next motions.
-
-        So what stands elsewhere and is turned meets the same motions from the same directions. From another
-        direction a motion is as good as another motion: who falls under both correlates by about 0.
-        """
-        run = np.arange(runs)
-        block, place = np.divmod(run, MOTIONS_IN_BLOCK * QUARTERS)
-        quarter, motion = np.divmod(place, MOTIONS_IN_BLOCK)
-        draw, motion = np.divmod(block * MOTIONS_IN_BLOCK + motion, motions)
-        return cls(motion, draw * QUARTERS + quarter, np.zeros_like(run), run)
+        return cls(motion, sample, level if beside else np.zeros_like(level))
 
     def __len__(self) -> int:
         return len(self.motion)
@@ -225,7 +203,7 @@ class Outcomes:
 
         From runs at several levels it is that of a fit to all of them.
         """
-        known, motion = ~self.missing, self.members.cluster
+        known, motion = ~self.missing, self.members.motion
         if self.members.level.any():
             return self._around(happened).probability()
         counts = (np.bincount(motion, flags) for flags in (happened & known, known, self.missing))
@@ -248,7 +226,7 @@ class Outcomes:
         if self.members.level.any() or other.members.level.any():
             return self._around(happened).difference(other._around(then), comparisons)
         both = slice(min(len(happened), len(then)))
-        missing, motion = self.missing[both] | other.missing[both], self.members.cluster[both]
+        missing, motion = self.missing[both] | other.missing[both], self.members.motion[both]
         return difference_of_runs(happened[both], then[both], missing, motion, comparisons=comparisons)
 
     def _around(self, happened: NDArray[np.bool_]) -> RunsAround:

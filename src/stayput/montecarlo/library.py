@@ -194,18 +194,18 @@ class RunKey(NamedTuple):
     ----------
     kind : str
         The key of the kind.
-    motion, draw : int
+    motion, sample : int
         Numbers of the motion, and of the draw under it.
-    quarter : int
-        By how many quarter turns the direction of the motion is turned from the drawn one, seen by the kind.
+    quarter_turns : int
+        By how many quarter turns the axes of the kind are turned, from which the motion is seen.
     level : int
         Number of the level of shaking.
     """
 
     kind: str
     motion: int
-    draw: int
-    quarter: int
+    sample: int
+    quarter_turns: int
     level: int
 
 
@@ -257,7 +257,7 @@ class Library:
         """
         keys = [
             [
-                RunKey(each.kind.key, motion, *self.draws.number(sample, each.axes), level)
+                RunKey(each.kind.key, motion, sample, each.axes.quarter_turns, level)
                 for motion, sample, level in members
             ]
             for each in standings
@@ -277,7 +277,7 @@ class Library:
     def _make(self, wanted: Mapping[RunKey, PieceKind], pool: Pool, advance: Callable[[int], None]) -> None:
         """Make those of some runs that are not there yet."""
         missing = [key for key in wanted if key not in self._runs]
-        self.draws.prepare(max((key.draw for key in missing), default=0))
+        self.draws.prepare(max((key.sample for key in missing), default=0))
         calls = (partial(self._run, wanted[key], key) for key in missing)
         for number, run in pool.as_completed(calls):
             self._runs[missing[number]] = run
@@ -286,7 +286,8 @@ class Library:
     def _run(self, kind: PieceKind, key: RunKey) -> KindRun:
         place = key.level * self.floors.each + key.motion
         floor = self.floors.motions[place], float(self.floors.scales[place])
-        draw = self.draws.draw(key.motion, key.draw, key.quarter, kind.streams)
+        axes = Placement(quarter_turns=key.quarter_turns)
+        draw = self.draws.draw(key.motion, key.sample, kind.streams, axes)
         return kind_run(*kind.run(draw, *floor, self._gravity, self._initial))
 
 

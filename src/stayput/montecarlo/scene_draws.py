@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from stayput.measures.wall import REACH
 from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room
-from stayput.montecarlo.counting import QUARTERS
 from stayput.montecarlo.sampling import AS_STATED, INSETS, Draw, drawn_body, drawn_place, drawn_surfaces
 from stayput.simulation.placement import ORIGIN, Placement
 from stayput.simulation.placing import planes_around, room_seen
@@ -62,18 +61,10 @@ class SceneDraw(NamedTuple):
         return self.pieces[0]
 
 
-def turns(scenario: Scenario) -> bool:
-    """Return whether motions shake what stands from quarter turns of their direction too."""
-    return scenario.plan is not None and scenario.points is None
-
-
 class SceneDraws:
     """Draws of what is uncertain of the pieces of a scenario, made when they are asked for.
 
-    Pieces of one body are of one kind, and have the same draws. In a room whose motions' direction is drawn,
-    samples go by `QUARTERS`: one draw shakes it from the drawn direction and from those at right angles to
-    it. For who falls a quarter turn is as good as a new draw, and one run of a kind then serves pieces that
-    face any wall.
+    Pieces of one body are of one kind, and have the same draws.
 
     Parameters
     ----------
@@ -88,7 +79,6 @@ class SceneDraws:
         self._scenario, self._motions = scenario, motions
         self._seed, self._as_stated = stated.seed, stated.as_stated
         self._usual = dict(stated.quantities.marginals)
-        self._turns = QUARTERS if turns(scenario) else 1
         self._columns: dict[str, dict[str, NDArray[np.float64]]] = {}
 
     @cached_property
@@ -97,11 +87,6 @@ class SceneDraws:
         bodies = [piece.body for piece in self._scenario.scene().pieces]
         different = [body for number, body in enumerate(bodies) if body not in bodies[:number]]
         return tuple(different.index(body) for body in bodies)
-
-    def number(self, sample: int, axes: Placement = ORIGIN) -> tuple[int, int]:
-        """Return which draw a sample is, and by how many quarter turns its direction is turned along axes."""
-        draw, quarter = divmod(sample, self._turns)
-        return draw, (quarter - axes.quarter_turns) % QUARTERS
 
     def streams(self, group: Sequence[int]) -> tuple[str, ...]:
         """Return the names of the draws of pieces that run together: copies there have draws of their own."""
@@ -114,17 +99,17 @@ class SceneDraws:
         for stream in {"", *self._columns}:
             self._drawn(stream, draw)
 
-    def draw(self, motion: int, draw: int, quarter: int, streams: Sequence[str]) -> SceneDraw:
-        """Return a draw for pieces of some streams, its direction turned by quarter turns."""
-        shared = {name: float(column[motion, draw]) for name, column in self._drawn("", draw).items()}
+    def draw(self, motion: int, number: int, streams: Sequence[str], axes: Placement = ORIGIN) -> SceneDraw:
+        """Return a draw for pieces of some streams, its direction as it is seen along axes in the scene."""
+        shared = {name: float(column[motion, number]) for name, column in self._drawn("", number).items()}
         between, joints, lean, towards = (shared.pop(name) for name in (*LIKE, "lean", "direction"))
         of_pieces = list[Draw]()
         for stream in streams:
-            columns = self._drawn(stream, draw) if stream != "0" else {}
-            values = shared | {name: float(column[motion, draw]) for name, column in columns.items()}
+            columns = self._drawn(stream, number) if stream != "0" else {}
+            values = shared | {name: float(column[motion, number]) for name, column in columns.items()}
             of_pieces.append(Draw(**values, lean=0.0))
         points = towards if self._scenario.points is None else self._scenario.points
-        direction = points - self._scenario.facing + 0.5 * math.pi * quarter
+        direction = points - self._scenario.facing - axes.heading
         return SceneDraw(tuple(of_pieces), between, joints, lean, direction)
 
     def _drawn(self, stream: str, draw: int) -> dict[str, NDArray[np.float64]]:

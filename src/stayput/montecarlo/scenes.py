@@ -220,7 +220,7 @@ def replay(scenario: Scenario, scene: Scene, member: Member, motion: Motion, sca
     draws, traces = SceneDraws(scenario, member.motion + 1), dict[Group, Trace]()
 
     def drawn(axes: Placement, streams: Sequence[str]) -> SceneDraw:
-        return draws.draw(member.motion, *draws.number(member.sample, axes), streams)
+        return draws.draw(*member, streams, axes)
 
     for standing in standings_of(scene, draws):
         draw, axes = drawn(standing.axes, standing.kind.streams), standing.axes

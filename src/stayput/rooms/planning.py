@@ -53,7 +53,7 @@ if TYPE_CHECKING:
     from stayput.scenario.measures import Option
 
 PLAN_RUNS = 32
-"""Runs of what a plan tells: eight motions from four directions."""
+"""Runs of what a plan tells: from so many a half-width of 16 points."""
 
 TRIAL_RUNS, CANDIDATES = 8, 2
 """Runs of all that is tried, and how many of the best of it are then run as often as what is told."""

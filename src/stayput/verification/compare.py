@@ -260,8 +260,13 @@ def option_verdict(
         replace(outcomes, device_failed=failed[:, [name in pieces for pieces, _ in held]].any(axis=1))
         for name, outcomes in zip(scenario.names, runs.of_bodies(), strict=True)
     ]
-    of_bare = [None] * len(each) if bare is None else [*bare.of_bodies()]
-    stated = runs.stated
+    copies, stated = contest.copies(option), runs.stated
+    of_kinds = [_of_kind(each, copies[n]) for n in range(len(each))]
+    changes: list[Difference | None] = [None] * len(each)
+    if bare is not None:
+        both, of_bare = min(len(runs.members), len(bare.members)), [*bare.of_bodies()]
+        pairs = ([_of_kind(of, numbers, both) for of in (each, of_bare)] for numbers in copies)
+        changes = [now.difference(now.overturned, then, then.overturned, comparisons) for now, then in pairs]
     people, zones, harm = None, [None] * len(each), [0.0] * len(each)
     if scenario.plan is not None:
         plan, pieces = contest.plan(option), contest.scene(option).pieces
@@ -271,19 +276,19 @@ def option_verdict(
         harm = [harm_of(hardest(stated, [n]), plan.places, stated.missing) for n in range(len(each))]
         zones = zones_of(stated, pieces, contest.watcher, plan)
 
-    def change(of: Outcomes, without: Outcomes | None, *, moved: bool = False) -> Difference | None:
-        if without is None:
+    def change(*, moved: bool = False) -> Difference | None:
+        if bare is None:
             return None
-        now, then = (each.moved(limit) if moved else each.overturned for each in (of, without))
-        return of.difference(now, without, then, comparisons)
+        now, then = (each.moved(limit) if moved else each.overturned for each in (runs, bare))
+        return runs.difference(now, bare, then, comparisons)
 
     return OptionVerdict(
         option=option,
         rank=0,
         runs=len(runs.members),
         probabilities=runs.probabilities(limit),
-        change=change(runs, bare),
-        slid=change(runs, bare, moved=True),
+        change=change(),
+        slid=change(moved=True),
         slide=Quantiles.of(stated.slide, stated.overturned),
         tilt=Quantiles.of(stated.tilt, stated.overturned),
         typical=typical_of(stated),
@@ -295,11 +300,11 @@ def option_verdict(
                 Quantiles.of(outcomes.stated.slide, outcomes.stated.overturned),
                 Quantiles.of(outcomes.stated.tilt, outcomes.stated.overturned),
                 outcomes.stability(limit),
-                change(outcomes, without),
+                changes[n],
                 harm[n],
                 zones[n],
             )
-            for n, (name, outcomes, without) in enumerate(zip(scenario.names, each, of_bare, strict=True))
+            for n, (name, outcomes) in enumerate(zip(scenario.names, of_kinds, strict=True))
         ),
         devices=tuple(
             device_summary(pieces, element, number, stated) for number, (pieces, element) in enumerate(held)
@@ -308,6 +313,11 @@ def option_verdict(
         capacities={},
         people=people,
     )
+
+
+def _of_kind(outcomes: Sequence[Outcomes], copies: Sequence[int], count: int | None = None) -> Outcomes:
+    """Return the first so many outcomes of each of some copies of a piece: they are of one kind."""
+    return Outcomes.joined([outcomes[number].chosen(slice(count)) for number in copies])
 
 
 def device_summary(

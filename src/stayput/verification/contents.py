@@ -213,7 +213,7 @@ def _in_space(contest: Contest, options: Sequence[Option]) -> FirstRuns:
         return runs.probability_of_overturning()
 
     def carrier(place: int, motion: int) -> Carrier:
-        scene, draw = scenes[place], runner.library.draws.draw(motion, 0, 0, ("0",))
+        scene, draw = scenes[place], runner.library.draws.draw(motion, 0, ("0",))
         floor, scale = contest.floors.motions[motion], float(contest.floors.scales[motion])
         shaken = drawn_shaking(floor, scale, draw, settings.gravity)
         fine = shaken.refined(parts(shaken.dt))

@@ -16,7 +16,6 @@ from stayput.montecarlo.library import Library
 from stayput.montecarlo.runs import Runs, run_level
 from stayput.montecarlo.sampling import Rows, Settings, drawn_held, draws, rows_of
 from stayput.montecarlo.scaled_motions import FloorMotions, ScaledMotions
-from stayput.montecarlo.scene_draws import turns
 from stayput.montecarlo.scenes import SceneRunner, replay
 from stayput.motion.suites.suite import Suite
 from stayput.simulation.case import Case, run_of
@@ -168,10 +167,7 @@ class Contest:
         nearby = [motions.stated_by(scenario, threads, times * factor) for factor in factors]
         further = [motions.at(float(level), threads) for level in levels]
         self.all_floors = FloorMotions.joined([self.floors, *nearby, *further])
-        of_all = self.settings.motions, self.settings.runs
-        self.members = (
-            Members.in_quarters(*of_all) if turns(scenario) else Members.in_turn(*of_all, beside=beside)
-        )
+        self.members = Members.in_turn(self.settings.motions, self.settings.runs, beside=beside)
         self.watcher = Watcher()
         self._scenes: dict[int, tuple[Option, Scene]] = {}
         again = scenario.plan is not None and times == 1.0
@@ -219,6 +215,23 @@ class Contest:
         plan = self.scene(option).plan
         assert plan is not None
         return plan
+
+    def copies(self, option: Option) -> list[list[int]]:
+        """Return of each piece those of its kind, itself among them: one for each wall that they face.
+
+        Copies that face the same way have the same runs; what is told of a kind rests on all its runs.
+        """
+        copies = [[number] for number in range(len(self.scenario.names))]
+        if self.in_plane:
+            return copies
+        facing = dict[str, dict[int, int]]()
+        alone = [each for each in self.runner.standings(self.scene(option)) if len(each.group) == 1]
+        for standing in alone:
+            same = facing.setdefault(standing.kind.key, {})
+            same.setdefault(standing.axes.quarter_turns, standing.group[0])
+        for standing in alone:
+            copies[standing.group[0]] = [*facing[standing.kind.key].values()]
+        return copies
 
     def held_by(self, option: Option) -> HeldBy:
         """Return what holds the pieces of an option, in the order of the devices of its runs."""
