@@ -166,9 +166,10 @@ class Race:
     def _contenders(self, best: int) -> list[int]:
         """Return the options of which it is open which is the best, where they help; else none."""
         least = self._more(best)
-        if best == 0 or least > -NEAR:
+        # of a room several changes often take away the same harm: which of them is best does not matter
+        if best == 0 or least > -NEAR or self.contest.scenario.plan is not None:
             return []
-        near = [n for n in range(1, len(self.options)) if self._more(n) <= least + CONTENDS]
+        near = [n for n in self._in_order()[: LEADERS + 1] if self._more(n) <= least + CONTENDS]
         unbeaten = [number for number in near if number == best or not self._beaten(number, best)]
         return unbeaten if len(unbeaten) > 1 else []
 
