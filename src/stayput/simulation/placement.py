@@ -52,10 +52,6 @@ class Placement(NamedTuple):
             placed = placed + np.array([self.x, self.y, 0.0][: placed.shape[-1]])
         return placed
 
-    def wall(self, name: str) -> str:
-        """Return which wall of the room one of the axes' walls is."""
-        return wall_after(name, self.quarter_turns)
-
 
 ORIGIN = Placement()
 """Axes that are those of the room."""

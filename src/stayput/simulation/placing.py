@@ -64,8 +64,13 @@ def _springs_of(
 def _set_vectors(springs: NDArray[np.void] | np.void, **vectors: NDArray[np.float64]) -> None:
     """Set vectors of springs, shape (..., 3), by the letters that their components begin with."""
     for name, values in vectors.items():
-        for number, axis in enumerate("xyz"):
-            springs[f"{name}{axis}"] = values[..., number]
+        set_fields(springs, [f"{name}{axis}" for axis in "xyz"], values)
+
+
+def set_fields(rows: NDArray[np.void] | np.void, names: Sequence[str], vectors: NDArray[np.float64]) -> None:
+    """Set fields of rows to the components of vectors, shape (..., fields)."""
+    for number, name in enumerate(names):
+        rows[name] = vectors[..., number]
 
 
 def joint_springs(pieces: Sequence[Piece], joints: Sequence[Joint]) -> NDArray[np.void]:

@@ -24,7 +24,7 @@ from stayput.simulation.case import scene_of
 from stayput.simulation.groups import Group, Track, groups_at_first, joined_traces, run_in_groups, tracks_of
 from stayput.simulation.outcome import OUTCOMES, Hit, Outcome, case_results
 from stayput.simulation.placement import ORIGIN, Placement
-from stayput.simulation.placing import Placed, joint_results, joint_springs, placed, planes_around
+from stayput.simulation.placing import Placed, joint_results, joint_springs, placed, planes_around, set_fields
 from stayput.simulation.run import PieceRun, Run, default_names
 from stayput.simulation.space_engine import STEP, TOUCHES, Gaps, SpaceShaking, SpaceTrace, run_world
 from stayput.simulation.space_fate import Fate, fates_of, slides, unrolled, upright_yaws
@@ -115,21 +115,21 @@ class Trace:
         bodies = list[Any]()
         for body in self.bodies:
             pose = body.pose.copy()
-            _set(pose, "xyz", axes.points(_vectors(pose, "xyz")))
+            set_fields(pose, "xyz", axes.points(_vectors(pose, "xyz")))
             for names in (("vx", "vy", "vz"), ("lx", "ly", "lz")):
-                _set(pose, names, axes.directions(_vectors(pose, names)))
-            _set(pose, QUATERNION, product(turn, _vectors(pose, QUATERNION)))
+                set_fields(pose, names, axes.directions(_vectors(pose, names)))
+            set_fields(pose, QUATERNION, product(turn, _vectors(pose, QUATERNION)))
             bodies.append(body._replace(piece=_piece_in_room(body.piece, axes), pose=pose))
         planes, springs, hits = self.planes.copy(), self.trace.springs.copy(), self.trace.hits.copy()
         normals = axes.directions(_vectors(planes, ("nx", "ny", "nz"))) + 0.0  # of −0 comes 0
-        _set(planes, ("nx", "ny", "nz"), normals)
+        set_fields(planes, ("nx", "ny", "nz"), normals)
         planes["offset"] += planes["nx"] * axes.x + planes["ny"] * axes.y
         to_room = springs["other"] == ROOM
         anchors, normals = _vectors(springs, ("ax", "ay", "az")), _vectors(springs, ("nx", "ny", "nz"))
-        _set(springs, ("ax", "ay", "az"), np.where(to_room[:, None], axes.points(anchors), anchors))
-        _set(springs, ("nx", "ny", "nz"), np.where(to_room[:, None], axes.directions(normals), normals))
-        _set(hits, HISTORY[:3], axes.points(_vectors(hits, HISTORY[:3])))
-        _set(hits, HISTORY[3:7], product(turn, _vectors(hits, HISTORY[3:7])))
+        set_fields(springs, ("ax", "ay", "az"), np.where(to_room[:, None], axes.points(anchors), anchors))
+        set_fields(springs, ("nx", "ny", "nz"), np.where(to_room[:, None], axes.directions(normals), normals))
+        set_fields(hits, HISTORY[:3], axes.points(_vectors(hits, HISTORY[:3])))
+        set_fields(hits, HISTORY[3:7], product(turn, _vectors(hits, HISTORY[3:7])))
         trace = self.trace._replace(
             place=axes.points(self.trace.place),
             attitude=product(turn, self.trace.attitude),
@@ -164,12 +164,6 @@ QUATERNION = ("qw", "qx", "qy", "qz")
 def _vectors(rows: NDArray[np.void], names: Sequence[str]) -> NDArray[np.float64]:
     """Return fields of rows as vectors, shape (..., fields)."""
     return np.stack([rows[name] for name in names], axis=-1)
-
-
-def _set(rows: NDArray[np.void], names: Sequence[str], vectors: NDArray[np.float64]) -> None:
-    """Set fields of rows to the components of vectors."""
-    for number, name in enumerate(names):
-        rows[name] = vectors[..., number]
 
 
 def _piece_in_room(piece: Piece, axes: Placement) -> Piece:
