@@ -51,7 +51,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "lognormal": ("lognormal", "対数正規分布"),
     "lognormal_curve": ("Nearest {family} curve: median {median}, dispersion {dispersion:.3g}.",
                         "最も近い{family}：中央値 {median}、ばらつき {dispersion:.3g}。"),
-    "half_width": ("Half width", "信頼区間の半幅"),
     "share": ("Share", "割合"),
     # files for loss tools
     "not_for_loss_tools": ("The curve {name} is not for loss tools: {why}.",

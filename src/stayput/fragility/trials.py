@@ -41,7 +41,7 @@ class Trials:
     >>> fell[1, 0], fell[1, 1, :4] = True, True
     >>> trials = sp.Trials.from_runs(PGA, [3.0, 6.0], fell)
     >>> trials, trials.motions
-    (Trials(PGA, 6 cells, 14 of 60 fell), 3)
+    (Trials(PGA, 14 of 60 fell), 3)
     """
 
     measure: IntensityMeasure
@@ -54,10 +54,7 @@ class Trials:
 
     def __repr__(self) -> str:
         fell, runs = int(self.fell.sum()), int(self.runs.sum())
-        return f"Trials({self.measure.key}, {len(self)} cells, {fell} of {runs} fell)"
-
-    def __len__(self) -> int:
-        return len(self.im)
+        return f"Trials({self.measure.key}, {fell} of {runs} fell)"
 
     @property
     def motions(self) -> int:
@@ -80,8 +77,7 @@ class Trials:
         measure : IntensityMeasure
             What ``im`` is.
         im : array_like, shape (levels,) or (levels, motions)
-            Intensity of the levels, or of each motion at each level [SI]. Where the levels overlap, the
-            observed fractions are those of as many groups of about equal size.
+            Intensity of the levels, or of each motion at each level [SI].
         fallen : array_like of bool, shape (levels, motions, samples)
             Whether it fell.
         missing : array_like of bool, same shape, optional
@@ -98,16 +94,10 @@ class Trials:
             levels, motions = str(fell.shape[:1]), str(fell.shape[:2])
             allowed = phrase("fragility.either", first=levels, second=motions)
             raise not_allowed(phrase("common.shape_of", name="im"), str(values.shape), allowed)
-        if values.ndim == 1:
-            values = np.repeat(values[:, np.newaxis], fell.shape[1], axis=1)
-        level, motion = np.indices(values.shape)
-        if (values.max(axis=1)[:-1] >= values.min(axis=1)[1:]).any():
-            # levels of another measure than this one: motions of one level differ in it
-            level = _groups(values, len(values))
-        counts = (fell & ~given_up).sum(axis=2), (~given_up).sum(axis=2)
-        k, n = (each.ravel() for each in counts)
-        lost = int(given_up.sum())
-        return cls._of_cells(measure, values.ravel(), k, n, level.ravel(), motion.ravel(), lost)
+        of_runs = np.broadcast_to(values.reshape(len(values), -1, 1), fell.shape)
+        motion = np.indices(fell.shape)[1]
+        columns = (each.ravel() for each in (of_runs, fell, given_up, motion))
+        return cls.of_runs(measure, *columns, groups=len(values))
 
     @classmethod
     def of_runs(
@@ -132,7 +122,8 @@ class Trials:
         motion : ndarray of int, shape (runs,)
             The number of each run's motion.
         groups : int
-            Groups of about equal size for which shares are observed; runs of one intensity are in one group.
+            Groups of about equal size for which shares are observed; runs of one intensity are in one group
+            where there are no more intensities.
         """
         # of one level up to rounding; motions of one level differ in other measures
         values, level = np.unique(measure.coordinate(im).round(9), return_inverse=True)

@@ -94,10 +94,6 @@ class Ways:
             over[xs, ys] |= inside
         return over
 
-    def cells(self, corners: NDArray[np.float64]) -> NDArray[np.intp]:
-        """Return the numbers of the cells that a convex outline covers, x-major."""
-        return np.flatnonzero(self.covered([corners]))
-
     @cached_property
     def _taken(self) -> NDArray[np.bool_]:
         """Cells under what people lie and sit on."""
