@@ -21,7 +21,7 @@ from stayput.measures import MEASURES
 from stayput.report.palette import INK
 from stayput.scenario.measures import Option
 from stayput.uncertainty import USUAL
-from stayput.verification.contest import Contest
+from stayput.verification.option_runner import OptionRunner
 from studies.study import COLOURS, Quantity, Study, panels
 
 if TYPE_CHECKING:
@@ -125,8 +125,8 @@ def outcomes(
     runs: list[Runs] = []
     for room, options in ROOMS:
         scenario = Scenario.parse(tables | {"room": room}).with_python(motions=suite)
-        contest = Contest(scenario, 0.1, None)
-        runs += contest.run(options, contest.members)
+        runner = OptionRunner(scenario, 0.1, None)
+        runs += runner.run(options, runner.members)
     return {
         "overturned": np.array([each.overturned for each in runs]),
         "missing": np.array([each.missing for each in runs]),

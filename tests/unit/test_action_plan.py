@@ -36,9 +36,9 @@ from stayput.rooms.step_words import (
 )
 from stayput.uncertainty import USUAL
 from stayput.verification.changes import Change, with_changes
-from stayput.verification.contest import Contest
+from stayput.verification.option_runner import OptionRunner
 from stayput.verification.options import inputs_of_piece
-from stayput.verification.people import Outlook
+from stayput.verification.people import PairedEstimate
 from stayput.verification.room_words import people_in, piece_name
 from stayput.verification.words import class_phrase
 
@@ -194,7 +194,7 @@ def test_how_the_room_is_leads_on_every_card(plan: sp.ActionPlan, rented: sp.Act
 def test_chances_on_the_card_have_their_intervals(plan: sp.ActionPlan):
     """In "about 30 % (18 to 46 %) → under 17 %" the share that was has one as that which will be."""
     often, verdict = probability(np.arange(40).reshape(40, 1) < 12), plan.verdict
-    people = replace(people_in(verdict), hit=Outlook(often, None))
+    people = replace(people_in(verdict), hit=PairedEstimate(often, None))
     probabilities = {**verdict.without.probabilities, OVERTURNED: often}
     pieces = tuple(replace(one, probabilities=probabilities) for one in verdict.without.pieces)
     without = replace(verdict.without, pieces=pieces, people=people)
@@ -412,7 +412,7 @@ def test_what_is_too_weak_holds_in_the_class_that_is_named(rented: sp.ActionPlan
     for level, enough in ((fix.enough_to, True), (fix.enough_to + 0.5, False)):
         scenario = alone(intensity=level)
         option = with_changes(scenario.stated, [Change("bookcase", one) for one in measures], scenario.names)
-        purchases = purchases_of(Contest(scenario, SLIDE_LIMIT, 1), option, measures, 0)
+        purchases = purchases_of(OptionRunner(scenario, SLIDE_LIMIT, 1), option, measures, 0)
         assert all(one.enough for one in purchases) == enough
 
 

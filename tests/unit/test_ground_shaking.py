@@ -39,7 +39,7 @@ from stayput.motion.intensity import mercalli
 from stayput.report.verdict.data import verdict_data
 from stayput.scenario import Scenario
 from stayput.verification import verify
-from stayput.verification.contest import floor_motion
+from stayput.verification.option_runner import floor_motion
 
 if TYPE_CHECKING:
     from pathlib import Path

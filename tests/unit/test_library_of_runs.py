@@ -16,7 +16,7 @@ from stayput.montecarlo.scene_draws import SceneDraws
 from stayput.scenario import Scenario
 from stayput.simulation.groups import groups_of_falls
 from stayput.simulation.outcome import OUTCOMES
-from stayput.verification.contest import Contest, drawn_run
+from stayput.verification.option_runner import OptionRunner, drawn_run
 
 if TYPE_CHECKING:
     from stayput.montecarlo.runs import Runs
@@ -47,15 +47,15 @@ SIDE_BY_SIDE: dict[str, Any] = {
 
 
 def ran(table: dict[str, Any], runs: int = 32) -> Runs:
-    contest = Contest(Scenario.parse(table), 0.1, 1)
-    (made,) = contest.run([contest.scenario.stated], contest.members.chosen(slice(runs)), keep=True)
+    runner = OptionRunner(Scenario.parse(table), 0.1, 1)
+    (made,) = runner.run([runner.scenario.stated], runner.members.chosen(slice(runs)), keep=True)
     return made
 
 
 def made_runs(table: dict[str, Any], runs: int = 32) -> int:
     counts: list[int] = []
-    contest = Contest(Scenario.parse(table), 0.1, 1, advance=counts.append)
-    contest.run([contest.scenario.stated], contest.members.chosen(slice(runs)))
+    runner = OptionRunner(Scenario.parse(table), 0.1, 1, advance=counts.append)
+    runner.run([runner.scenario.stated], runner.members.chosen(slice(runs)))
     return sum(counts)
 
 
@@ -126,11 +126,11 @@ def test_pieces_in_rows_run_together_and_others_do_not() -> None:
 
 def test_measures_run_by_kind() -> None:
     counts: list[int] = []
-    contest = Contest(Scenario.parse(SIDE_BY_SIDE), 0.1, 1, advance=counts.append)
-    base, members = contest.scenario.stated, contest.members.chosen(slice(8))
+    runner = OptionRunner(Scenario.parse(SIDE_BY_SIDE), 0.1, 1, advance=counts.append)
+    base, members = runner.scenario.stated, runner.members.chosen(slice(8))
     on = [tuple((LBracket(),) if piece == held else () for piece in range(4)) for held in range(4)]
     options = [type(base)(f"on {held}", measures) for held, measures in enumerate(on)]
-    each = contest.run([base, *options], members)
+    each = runner.run([base, *options], members)
     assert sum(counts) == 16  # those without and with brackets
     for piece, runs in enumerate(each[1:]):
         assert (runs.results[:, piece] != each[0].results[:, piece]).any()

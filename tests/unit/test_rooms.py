@@ -23,7 +23,7 @@ from stayput.report.room.report import room_markdown, simulations_of_room
 from stayput.report.verdict.data import verdict_data
 from stayput.simulation.groups import groups_at_first
 from stayput.verification.changes import Change, loose_pieces, refuse_unheld, with_changes
-from stayput.verification.contest import Contest
+from stayput.verification.option_runner import OptionRunner
 from stayput.verification.options import TRIED_ALONE
 from stayput.verification.room_words import (
     best_sentence,
@@ -331,12 +331,12 @@ def test_a_room_is_simulated_under_a_motion_of_its_direction():
 )
 def test_nothing_is_screwed_to_a_window_or_a_wall_too_far_away(openings: dict[str, Any], kinds: set[str]):
     room = changed(places=[], **openings)
-    contest = Contest(room, SLIDE_LIMIT, 1)
+    runner = OptionRunner(room, SLIDE_LIMIT, 1)
     possible: set[str] = set()
     for kind in TRIED_ALONE:
         option = with_changes(room.stated, [Change("bookcase", sp.MEASURES[kind]())], room.names)
         with suppress(sp.InputError):
-            refuse_unheld(contest.scene(option), 0)
+            refuse_unheld(runner.scene(option), 0)
             possible.add(kind)
     assert {"l_bracket", "belt"} & possible == kinds
 
@@ -455,7 +455,7 @@ def test_a_group_runs_once_for_all_options_that_leave_it_as_it_is():
         uncertainty={"samples": 4},
     )
     option = with_changes(room.stated, [Change("bookcase", LBracket())], room.names)
-    together, alone = Contest(room, SLIDE_LIMIT, 3), Contest(room, SLIDE_LIMIT, 1)
+    together, alone = OptionRunner(room, SLIDE_LIMIT, 3), OptionRunner(room, SLIDE_LIMIT, 1)
     members = Members.of_samples(2, 2)
     bare, held = together.run([room.stated, option], members, keep=True)
     (by_itself,) = alone.run([option], members)
@@ -476,7 +476,7 @@ def test_pieces_that_meet_run_together_and_what_stands_apart_changes_no_bit():
     chest = {"name": "chest", "preset": "chest", "at": [1.3, 1.9]}
     far = {"name": "far", "preset": "chest", "against": "right_wall", "along": 0.6}
     results = [
-        Contest(room, SLIDE_LIMIT, 1).run([room.stated], Members.of_samples(2, 1))[0].results
+        OptionRunner(room, SLIDE_LIMIT, 1).run([room.stated], Members.of_samples(2, 1))[0].results
         for room in (
             changed(furniture=furniture, **tables)
             for furniture in (piece(), [*piece(), far], [*piece(), chest], [*piece(), chest, far])

@@ -14,7 +14,7 @@ from real_records import MOTIONS, recorded
 from stayput.measures import MEASURES
 from stayput.scenario import Scenario
 from stayput.simulation.case import Case
-from stayput.verification.contest import Contest, drawn_run
+from stayput.verification.option_runner import OptionRunner, drawn_run
 from stayput.verification.options import compared_options
 
 BOOKCASE = {
@@ -310,8 +310,8 @@ def test_every_measure_that_can_be_put_in_place_is_verified_in_space() -> None:
     assert scenario.dimensions == 3
     options, impossible = compared_options(scenario)
     assert {one.option.name for one in impossible} == {"tension_pole"}  # no ceiling is known
-    contest = Contest(scenario, 0.1, 1)
-    runs = contest.run(options, contest.members)
+    runner = OptionRunner(scenario, 0.1, 1)
+    runs = runner.run(options, runner.members)
     assert len(runs) == len(kinds) + 1
     assert not any(each.missing.any() for each in runs)
     slides = {option.name: each.slide.item() for option, each in zip(options, runs, strict=True)}

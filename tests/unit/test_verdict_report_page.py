@@ -17,7 +17,7 @@ from stayput.report.verdict import svg
 from stayput.report.verdict.html import pairs_of, place_of_the_measure, report_html
 from stayput.report.verdict.numbers import interval, probability, word
 from stayput.report.verdict.tables import ranking
-from stayput.verification.contest import Contest, drawn_run
+from stayput.verification.option_runner import OptionRunner, drawn_run
 from stayput.verification.options import compared_options
 from stayput.verification.words import headline
 
@@ -149,7 +149,7 @@ def test_a_replay_is_the_run_that_was_counted(initial, dimensions):
     scenario = sp.Scenario.parse({**tables, "uncertainty": {"samples": 3}})
     options, _ = compared_options(scenario)
     members = Members.of_samples(1, 3)
-    made = Contest(scenario, 0.1, 1).run(options[:4], members)
+    made = OptionRunner(scenario, 0.1, 1).run(options[:4], members)
     for option, runs in zip(options[:4], made, strict=True):
         for sample in range(3):
             run = drawn_run(scenario, option, Member(0, sample))

@@ -25,7 +25,7 @@ from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces,
 from stayput.montecarlo.scaled_motions import ScaledMotions
 from stayput.scenario import Scenario
 from stayput.verification import verify
-from stayput.verification.contest import drawn_run
+from stayput.verification.option_runner import drawn_run
 from stayput.verification.options import compared_options
 from stayput.verification.people import typical_of
 from stayput.verification.race import STEP

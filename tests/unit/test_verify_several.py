@@ -24,7 +24,7 @@ from stayput.report.verdict.assumptions import assumptions, settlement_assumptio
 from stayput.scenario import Scenario
 from stayput.simulation.placing import placed
 from stayput.uncertainty import USUAL
-from stayput.verification.contest import drawn_run
+from stayput.verification.option_runner import drawn_run
 from stayput.verification.options import compared_options
 
 if TYPE_CHECKING:

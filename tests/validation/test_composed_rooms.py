@@ -18,8 +18,8 @@ from stayput.montecarlo.scene_draws import SceneDraws, drawn_shaking
 from stayput.scenario import Scenario
 from stayput.simulation.groups import Group, Track, groups_at_first, run_in_groups
 from stayput.simulation.space import Trace, results_of
-from stayput.verification.contest import Contest
-from stayput.verification.events import FALLS, Watcher
+from stayput.verification.events import FALLS, RoomEventDetector
+from stayput.verification.option_runner import OptionRunner
 
 SHELF = {"width": 0.3, "height": 1.8, "mass": 80.0, "length": 0.9}
 SHAKING = {"intensity": "6-upper", "suite": {"family": "mixed", "count": 24}}
@@ -75,25 +75,25 @@ class Answer(NamedTuple):
     blocked: np.ndarray
 
 
-def composed(contest: Contest) -> Answer:
-    members = contest.members.chosen(slice(RUNS))
-    (runs,) = contest.run([contest.scenario.stated], members)
+def composed(runner: OptionRunner) -> Answer:
+    members = runner.members.chosen(slice(RUNS))
+    (runs,) = runner.run([runner.scenario.stated], members)
     fell = runs.results["outcome"] == OVERTURNED_OUTCOME
     hit = (runs.hits[..., FALLS] == 1.0) & fell[:, np.newaxis]
     return Answer(fell, hit, np.where(hit, runs.hits[..., 2], 0.0), runs.blocked)
 
 
-def followed(contest: Contest) -> Answer:
+def followed(runner: OptionRunner) -> Answer:
     """Return the same with the pieces run together that meet, as one scene in the axes of the room."""
-    scenario, floors, watch = contest.scenario, contest.floors, Watcher()
-    scene, draws = contest.scene(contest.scenario.stated), SceneDraws(contest.scenario, floors.each)
+    scenario, floors, watch = runner.scenario, runner.floors, RoomEventDetector()
+    scene, draws = runner.scene(runner.scenario.stated), SceneDraws(runner.scenario, floors.each)
     assert scene.plan is not None
     rows: list[Any] = []
     streams = [""] * len(scene.pieces)
-    for standing in contest.runner.standings(scene):
+    for standing in runner.scene_runner.standings(scene):
         for piece, stream in zip(standing.group, standing.kind.streams, strict=True):
             streams[piece] = stream
-    for motion, sample, _ in contest.members.chosen(slice(RUNS)):
+    for motion, sample, _ in runner.members.chosen(slice(RUNS)):
         of_pieces = [draws.draw(motion, sample, [stream]).pieces[0] for stream in streams]
         draw = draws.draw(motion, sample, ["0"])._replace(pieces=tuple(of_pieces))
         shaking = drawn_shaking(floors.motions[motion], float(floors.scales[motion]), draw, scenario.gravity)
@@ -116,8 +116,8 @@ def followed(contest: Contest) -> Answer:
 
 @pytest.mark.parametrize("table", [BEDROOM, ROWS, OFFICE], ids=["bedroom", "rows", "office"])
 def test_a_composed_room_answers_as_one_whose_pieces_meet(table: dict[str, Any]) -> None:
-    contest = Contest(Scenario.parse({**table, "uncertainty": {"samples": 32}}), 0.1, None)
-    mine, theirs = composed(contest), followed(contest)
+    runner = OptionRunner(Scenario.parse({**table, "uncertainty": {"samples": 32}}), 0.1, None)
+    mine, theirs = composed(runner), followed(runner)
     # impacts enlarge rounding, which differs along other axes: even without meetings runs differ
     assert np.mean(mine.fell == theirs.fell) >= 0.92
     # counts of anybody hit and any door blocked differ by no more than what an interval of 24 runs allows

@@ -93,8 +93,9 @@ class PieceKind:
         """Run the pieces under a draw, the floor moving by a factor on a motion."""
         shaking = drawn_shaking(floor, scale, draw, gravity)
         # what a lone piece does after it lies changes nothing
-        lies = ENDS if len(self.scene.pieces) == 1 else math.inf
-        return trace_draw(self.scene, draw, shaking, gravity, self.called, initial, lies=lies), shaking
+        stop_after_rest = ENDS if len(self.scene.pieces) == 1 else math.inf
+        how = gravity, self.called, initial
+        return trace_draw(self.scene, draw, shaking, *how, stop_after_rest=stop_after_rest), shaking
 
 
 @dataclass(frozen=True, eq=False)
@@ -274,11 +275,11 @@ class Library:
             self._make(with_walls, pool, advance)
         return [[self._runs[key] for key in of_group] for of_group in keys]
 
-    def _make(self, wanted: Mapping[RunKey, PieceKind], pool: Pool, advance: Callable[[int], None]) -> None:
+    def _make(self, needed: Mapping[RunKey, PieceKind], pool: Pool, advance: Callable[[int], None]) -> None:
         """Make those of some runs that are not there yet."""
-        missing = [key for key in wanted if key not in self._runs]
+        missing = [key for key in needed if key not in self._runs]
         self.draws.prepare(max((key.sample for key in missing), default=0))
-        calls = (partial(self._run, wanted[key], key) for key in missing)
+        calls = (partial(self._run, needed[key], key) for key in missing)
         for number, run in pool.as_completed(calls):
             self._runs[missing[number]] = run
             advance(1)
@@ -313,10 +314,10 @@ def trace_draw(
     names: Sequence[str | Phrase] = (),
     initial: State | None = None,
     step: float = STEP,
-    lies: float = math.inf,
+    stop_after_rest: float = math.inf,
 ) -> Trace:
     """Run the pieces of a scene together under one draw and its `drawn_shaking`; see `trace_together`."""
     floor = partial(drawn_floor, draw=draw.room)
     drawn = drawn_scene(scene, draw)
-    of_draw = step, draw.room.strength, floor, names, initial, lies
+    of_draw = step, draw.room.strength, floor, names, initial, stop_after_rest
     return trace_together(drawn, shaking, gravity, *of_draw, make_room=True)

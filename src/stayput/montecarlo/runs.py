@@ -37,7 +37,7 @@ class Runs(Outcomes):
         tilt are the largest of theirs.
     hits, blocked, shut_in : ndarray
         What happened in a room by run, to nobody and no door where it has no plan; see
-        `stayput.montecarlo.scenes.Seen`.
+        `stayput.montecarlo.scenes.RoomEvents`.
     tracks : ndarray of Track, shape (runs, bodies)
         Where each piece was; of no body where that was not kept.
     """

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from stayput.simulation.scene import Scene
 
 
-class Seen(NamedTuple):
+class RoomEvents(NamedTuple):
     """What happened in a run of a room.
 
     Parameters
@@ -49,10 +49,10 @@ class Seen(NamedTuple):
 
 
 SPEED, ENERGY, FALLS = 1, 2, 3
-"""Columns of `Seen.hits`."""
+"""Columns of `RoomEvents.hits`."""
 
-Watch: TypeAlias = "Callable[[FloorPlan, Sequence[Track]], Seen]"
-"""Looks at what happened in a run of a room, of its plan and where the pieces were."""
+DetectEvents: TypeAlias = "Callable[[FloorPlan, Sequence[Track]], RoomEvents]"
+"""Detects what happened in a run of a room, from its plan and where the pieces were."""
 
 
 class SceneRunner:
@@ -68,7 +68,7 @@ class SceneRunner:
         As many as there are cores by default. The bits do not depend on them.
     advance : callable
         Called with the number of runs just done; an exception that it raises stops the work.
-    watch : callable
+    detect : callable
         What looks at the runs of a room with a plan.
     """
 
@@ -79,10 +79,10 @@ class SceneRunner:
         *,
         threads: int | None,
         advance: Callable[[int], None],
-        watch: Watch,
+        detect: DetectEvents,
     ) -> None:
         self.library, self._threads, self._advance = library, threads, advance
-        self._watch, self._counted = watch, list(scenario.counted)
+        self._detect, self._counted = detect, list(scenario.counted)
         self._placed: dict[tuple[int, Placement], tuple[KindRun, list[Track]]] = {}
         self._standings: dict[tuple[int, ...], tuple[list[Piece], Standing]] = {}
 
@@ -183,7 +183,7 @@ class SceneRunner:
             used=used,
             masses=np.ones(len(members)),
             results=results,
-            **self._seen(scene, tracks)._asdict(),
+            **self._events(scene, tracks)._asdict(),
             tracks=tracks if keep else tracks[:, :0],
         )
 
@@ -194,13 +194,13 @@ class SceneRunner:
             self._placed[key] = run, [track.placed(standing.axes) for track in run.tracks]
         return self._placed[key][1]
 
-    def _seen(self, scene: Scene, tracks: NDArray[np.object_]) -> Seen:
+    def _events(self, scene: Scene, tracks: NDArray[np.object_]) -> RoomEvents:
         """Return what happened in a room in each run."""
         if scene.plan is None:
             nothing = np.zeros((len(tracks), 0), np.bool_)
-            return Seen(np.zeros((len(tracks), 0, len(scene.pieces), 4)), nothing, nothing)
-        seen = [self._watch(scene.plan, row) for row in tracks.tolist()]
-        return Seen(*map(np.array, zip(*seen, strict=True)))
+            return RoomEvents(np.zeros((len(tracks), 0, len(scene.pieces), 4)), nothing, nothing)
+        events = [self._detect(scene.plan, row) for row in tracks.tolist()]
+        return RoomEvents(*map(np.array, zip(*events, strict=True)))
 
 
 def replay(scenario: Scenario, scene: Scene, member: Member, motion: Motion, scale: float) -> Run:

@@ -41,7 +41,7 @@ from stayput.simulation.groups import groups_of_falls
 from stayput.simulation.placing import placed
 from stayput.verification.changes import Change, measures_for, refuse_unheld, with_changes
 from stayput.verification.compare import option_verdict
-from stayput.verification.contest import Contest
+from stayput.verification.option_runner import OptionRunner
 from stayput.verification.options import TRIED, compared_options, inputs_of_piece
 from stayput.verification.people import hits_in
 from stayput.verification.search import falling_pieces, harmful_pieces, moves_of
@@ -132,8 +132,8 @@ def action_plan(
 
         scenario = home.of(asked.scenario)
         compared_options(scenario)  # refuses what cannot be put in place
-        contest = Contest(scenario, asked.slide_limit, threads, advance=count)
-        planner = _Planner(contest, home, decisions_of(scenario, decided))
+        runner = OptionRunner(scenario, asked.slide_limit, threads, advance=count)
+        planner = _Planner(runner, home, decisions_of(scenario, decided))
         steps, unsolved = planner.steps()
     now = replace(
         asked,
@@ -153,7 +153,7 @@ class _Planner:
 
     Parameters
     ----------
-    contest : Contest
+    runner : OptionRunner
         The room's motions and draws.
     home : Home
         What the home is like.
@@ -161,23 +161,23 @@ class _Planner:
         What is done in any case.
     """
 
-    def __init__(self, contest: Contest, home: Home, decisions: Decisions) -> None:
-        self.contest, self.home, self.decisions = contest, home, decisions
-        self.scenario, self.base = contest.scenario, contest.scenario.stated
-        self._members = contest.members.chosen(slice(PLAN_RUNS))
-        (self.runs,) = contest.run([self.base], self._members, keep=True)
-        self.as_it_is = option_verdict(contest, self.base, self.runs, None)
-        self.scene = contest.scene(self.base)
+    def __init__(self, runner: OptionRunner, home: Home, decisions: Decisions) -> None:
+        self.runner, self.home, self.decisions = runner, home, decisions
+        self.scenario, self.base = runner.scenario, runner.scenario.stated
+        self._members = runner.members.chosen(slice(PLAN_RUNS))
+        (self.runs,) = runner.run([self.base], self._members, keep=True)
+        self.as_it_is = option_verdict(runner, self.base, self.runs, None)
+        self.scene = runner.scene(self.base)
         self.group_of = {body: group for group in groups_of_falls(self.scene) for body in group}
         struck = np.flatnonzero(hits_in(self.runs).any(axis=(0, 1))).tolist()
-        self.harmful = {*struck} | harmful_pieces(contest, self.base, self.runs)
+        self.harmful = {*struck} | harmful_pieces(runner, self.base, self.runs)
         self.falling = falling_pieces(self.runs)
         self.drilled: dict[str, Fix] = {}
         self.not_enough: dict[str, Fix] = {}
         self._not_taken: dict[str, dict[tuple[str, ...], Phrase]] = {}
         self._known: dict[tuple[str, int], OptionVerdict] = {}
         self._clear: dict[tuple[int, tuple[str, ...]], bool] = {}
-        self._weaker: dict[float, Contest] = {}
+        self._weaker: dict[float, OptionRunner] = {}
 
     def steps(self) -> tuple[tuple[PlanStep, ...], tuple[str, ...]]:
         """Return the steps in their order, and the pieces on which nothing helps."""
@@ -253,8 +253,8 @@ class _Planner:
         key = repr(sorted(map(repr, changes))), count
         if key not in self._known:
             option = self._with(changes)
-            (runs,) = self.contest.run([option], self._members.chosen(slice(count)))
-            self._known[key] = option_verdict(self.contest, option, runs, self.runs)
+            (runs,) = self.runner.run([option], self._members.chosen(slice(count)))
+            self._known[key] = option_verdict(self.runner, option, runs, self.runs)
         return self._known[key]
 
     def _moves(self) -> tuple[Change, ...]:
@@ -262,7 +262,7 @@ class _Planner:
         if self.decisions.moves:
             return self.decisions.moves
         may_move = self.harmful - set(self.decisions.measures)
-        moves = [*moves_of(self.contest, self.base, self.runs, may_move)]
+        moves = [*moves_of(self.runner, self.base, self.runs, may_move)]
         moves.sort(key=lambda move: in_order_of_gain(self._effect([move], TRIAL_RUNS)))
         helping = [move for move in moves[:CANDIDATES] if self._effect([move]).helps]
         return (min(helping, key=lambda move: in_order_of_gain(self._effect([move]))),) if helping else ()
@@ -392,7 +392,7 @@ class _Planner:
             if (why := measure.advised_against(room)) is not None:
                 return why
         try:
-            refuse_unheld(self.contest.scene(self._with([*moves, *self._on(body, measures)])), body)
+            refuse_unheld(self.runner.scene(self._with([*moves, *self._on(body, measures)])), body)
         except InputError as error:
             sentence = error.told("en").removesuffix("."), error.told("ja").removesuffix("。")
             return phrase("action_plan.not_possible", why=sentence)
@@ -405,9 +405,7 @@ class _Planner:
         if not any(measure.drilled for measure in measures):
             return measures
         length, moved = self.scene.pieces[body].body.length or 0.0, self._moved(body, moves)
-        purchases = purchases_of(
-            self.contest, self._with([*moved, *self._on(body, measures)]), measures, body
-        )
+        purchases = purchases_of(self.runner, self._with([*moved, *self._on(body, measures)]), measures, body)
         fitted = tuple(in_number(purchase, length) for purchase in purchases)
         return measures if any(self._refused(body, fitted, way) for way in ((), moves)) else fitted
 
@@ -418,8 +416,8 @@ class _Planner:
         """Return measures as they are bought, where the piece will stand."""
         measures, moved = tried.measures, self._moved(body, moves)
         option = self._with([*moved, *self._on(body, measures)])
-        purchases = purchases_of(self.contest, option, measures, body)
-        overturns, gives_way, scene = tried.overturns, tried.gives_way, self.contest.scene(option)
+        purchases = purchases_of(self.runner, option, measures, body)
+        overturns, gives_way, scene = tried.overturns, tried.gives_way, self.runner.scene(option)
         if moved:
             effect = self._effect([*moved, *self._on(body, measures)])
             overturns = effect.pieces[body].probabilities[OVERTURNED]
@@ -437,17 +435,17 @@ class _Planner:
 
         The classes are the ground's: under motions of upper floors there is none.
         """
-        contest = self.contest
-        if contest.floors.floor or all(purchase.enough for purchase in purchases):
+        runner = self.runner
+        if runner.floors.floor or all(purchase.enough for purchase in purchases):
             return None
         measures = tuple(purchase.measure for purchase in purchases)
-        now, limit = contest.floors.median_intensity, contest.settings.slide_limit
+        now, limit = runner.floors.median_intensity, runner.settings.slide_limit
         for level in (intensity_of_class(name) for name in WEAKER_CLASSES):
             if level < now:
                 if level not in self._weaker:
-                    times = factor_to_intensity(now, level)
-                    self._weaker[level] = Contest(
-                        self.scenario, limit, contest.threads, times=times, advance=contest.advance
+                    factor = factor_to_intensity(now, level)
+                    self._weaker[level] = OptionRunner(
+                        self.scenario, limit, runner.threads, shaking_factor=factor, advance=runner.advance
                     )
                 weaker = self._weaker[level]
                 if all(purchase.enough for purchase in purchases_of(weaker, option, measures, body)):

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.measures import Element, Measure
     from stayput.scenario.measures import Option
-    from stayput.verification.contest import Contest
+    from stayput.verification.option_runner import OptionRunner
 
 QUANTILE = 0.95
 """Share of the runs in which a device of the strength asked for is strong enough, with no margin."""
@@ -103,13 +103,13 @@ def more_than(needed: DeviceForces, holds: DeviceForces) -> float:
 
 
 def purchases_of(
-    contest: Contest, option: Option, measures: tuple[Measure, ...], body: int
+    runner: OptionRunner, option: Option, measures: tuple[Measure, ...], body: int
 ) -> tuple[Purchase, ...]:
     """Return what to buy for a piece: how strong one must be, and how strong what it is fixed to is.
 
     Parameters
     ----------
-    contest : Contest
+    runner : OptionRunner
         The motions and draws.
     option : Option
         The room with these measures.
@@ -118,12 +118,12 @@ def purchases_of(
     body : int
         The piece.
     """
-    scene = contest.scene(option)
+    scene = runner.scene(option)
     held, kinds = placed(scene)[body].held, {measure.kind for measure in measures}
     assert held is not None
     strong = tuple(measure.unbreakable() if measure.kind in kinds else measure for measure in option.on[body])
     on = (*option.on[:body], strong, *option.on[body + 1 :])
-    devices = contest.devices_of(replace(option, on=on), body)
+    devices = runner.devices_of(replace(option, on=on), body)
     purchases: list[Purchase] = []
     for measure in measures:
         like = [n for n, element in enumerate(held.elements) if element.kind == measure.kind]

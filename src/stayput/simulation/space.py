@@ -253,7 +253,7 @@ def trace_together(
     drawn_floor: Callable[[Floor], Floor] = lambda floor: floor,
     names: Sequence[str | Phrase] = (),
     initial: State | None = None,
-    lies: float = math.inf,
+    stop_after_rest: float = math.inf,
     *,
     make_room: bool = False,
 ) -> Trace:
@@ -271,7 +271,7 @@ def trace_together(
         How refusals call the pieces; by default as `names_of`.
     initial : State, optional
         The initial state of furniture; at rest by default.
-    lies : float
+    stop_after_rest : float
         How long all pieces lie before the run ends [s].
     make_room : bool
         Whether walls give way to what leans into them as it stands: in draws, which lean other than stated.
@@ -289,7 +289,7 @@ def trace_together(
     world = world_of([piece.solid for piece in pieces], floors, planes, scene.friction)
     springs = np.concatenate([*(body.springs for body in bodies), joint_springs(pieces, scene.joints)])
     poses, moved = np.stack([body.pose for body in bodies]), (shaking.acceleration, shaking.dt)
-    trace = run_world(world, poses, springs, *moved, step, gravity, lies, called)
+    trace = run_world(world, poses, springs, *moved, step, gravity, stop_after_rest, called)
     return Trace(bodies, planes, trace, gravity, axes)
 
 
@@ -366,7 +366,7 @@ def run_case(
     body, room, start = from_flat_fields(numbers)
     shaken = SpaceShaking(numbers["motion.scale"] * shaking.acceleration, shaking.dt)
     scene = scene_of(body, room, measures)
-    traced = trace_together(scene, shaken, numbers["gravity"], initial=start, lies=ENDS)
+    traced = trace_together(scene, shaken, numbers["gravity"], initial=start, stop_after_rest=ENDS)
     springs, devices = traced.trace.springs[np.newaxis], traced.trace.devices[np.newaxis]
     return case_results(springs, results_of(traced, shaken.times), devices)
 

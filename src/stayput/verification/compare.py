@@ -25,11 +25,11 @@ from stayput.progress import tally
 from stayput.simulation.groups import at_rest
 from stayput.simulation.placing import JOINT
 from stayput.verification.contents import ContentsVerdict, contents_verdicts
-from stayput.verification.contest import Contest
 from stayput.verification.demand import with_demand
 from stayput.verification.events import zones_of
 from stayput.verification.meetings import meetings_of
 from stayput.verification.notes import Estimates
+from stayput.verification.option_runner import OptionRunner
 from stayput.verification.options import compared_options
 from stayput.verification.people import hardest, harm_of, people_of, typical_of
 from stayput.verification.race import Race, paired
@@ -72,7 +72,7 @@ def compare(
     settings = Settings.of(scenario, len(scaled_motions.ground), limit)
     most = settings.runs * (len(options) * (1 + len(asked)) + len(faulty))
     with tally(most, "progress.verifying", progress, on_progress) as count:
-        contest = Contest(
+        runner = OptionRunner(
             scenario,
             limit,
             threads,
@@ -81,7 +81,7 @@ def compare(
             levels=asked.tolist(),
             advance=count,
         )
-        floors, race = contest.floors, Race(contest, options)
+        floors, race = runner.floors, Race(runner, options)
         estimates = Estimates.of(scenario.piece.body(), floors, scenario, threads) if scenario.alone else None
 
         def so_far(**more: Any) -> Verdict:
@@ -89,7 +89,7 @@ def compare(
                 scenario=scenario,
                 intensity=floors.median_intensity,
                 slide_limit=limit,
-                options=verdicts_of(contest, race.options, race.runs, **more),
+                options=verdicts_of(runner, race.options, race.runs, **more),
                 estimates=estimates,
                 motions=settings.motions,
                 runs=count.done,
@@ -110,20 +110,20 @@ def compare(
         all_of_them = scenario.uncertainty.samples is not None and settings.precision is None
         run(race.all_runs() if all_of_them else race.looks())
         if search:
-            race.add([*tried_options(contest, options[0], race.runs[0].stated)])
+            race.add([*tried_options(runner, options[0], race.runs[0].stated)])
             run(race.all_runs() if all_of_them else race.looks())
         more: dict[str, Any] = {"drawn": drawn or len(asked) > 0}
         if faulty:
             well = {option.name: runs for option, runs in zip(options, race.runs, strict=False)}
             more["installed"] = {
-                option.name: _as_installed(how, share, contest, option, well[option.name])
+                option.name: _as_installed(how, share, runner, option, well[option.name])
                 for option, how, share in faulty
             }
         counts = [len(runs.members) for runs in race.runs]
-        more["inside"] = contents_verdicts(contest, options, counts)
+        more["inside"] = contents_verdicts(runner, options, counts)
         if len(asked):
             more["at_levels"] = [
-                contest.run(
+                runner.run(
                     race.options, Members.of_samples(settings.motions, settings.samples, level=1 + level)
                 )
                 for level in range(len(asked))
@@ -132,10 +132,10 @@ def compare(
         best, *others = verdict.options
         verdict = replace(
             verdict,
-            options=(with_demand(contest, best), *others),
+            options=(with_demand(runner, best), *others),
             runs=count.done,
-            kinds=(0,) if scenario.alone else contest.runner.library.draws.kinds,
-            meetings=meetings_of(contest, options[0], race.runs[0]),
+            kinds=(0,) if scenario.alone else runner.scene_runner.library.draws.kinds,
+            meetings=meetings_of(runner, options[0], race.runs[0]),
         )
     return replace(verdict, complete=True)
 
@@ -168,10 +168,10 @@ def _badly_installed(
 
 
 def _as_installed(
-    how: tuple[Phrase, ...], share: float, contest: Contest, bad: Option, well: Runs
+    how: tuple[Phrase, ...], share: float, runner: OptionRunner, bad: Option, well: Runs
 ) -> AsInstalled:
-    (badly,) = contest.run([bad], well.members)
-    ends = [runs.probabilities(contest.settings.slide_limit) for runs in (well, badly)]
+    (badly,) = runner.run([bad], well.members)
+    ends = [runs.probabilities(runner.settings.slide_limit) for runs in (well, badly)]
     usual = {
         event: (1.0 - share) * chance.estimate + share * ends[1][event].estimate
         for event, chance in ends[0].items()
@@ -200,7 +200,7 @@ def _curves(name: str, floors: FloorMotions, runs: Sequence[Runs]) -> dict[Inten
 
 
 def verdicts_of(
-    contest: Contest,
+    runner: OptionRunner,
     options: Sequence[Option],
     outcomes: Sequence[Runs],
     *,
@@ -216,8 +216,8 @@ def verdicts_of(
     verdicts: list[OptionVerdict] = []
     for i, (option, runs) in enumerate(zip(options, outcomes, strict=True)):
         further = [level[i] for level in at_levels]
-        curves = _curves(option.name, contest.all_floors, [runs, *further]) if drawn else {}
-        verdict = option_verdict(contest, option, runs, outcomes[0] if i else None, len(options) - 1)
+        curves = _curves(option.name, runner.all_floors, [runs, *further]) if drawn else {}
+        verdict = option_verdict(runner, option, runs, outcomes[0] if i else None, len(options) - 1)
         capacities = {p: curves[JMA_INTENSITY].capacity(p) for p in CAPACITIES} if curves else {}
         verdicts.append(
             replace(
@@ -230,22 +230,22 @@ def verdicts_of(
         )
 
     order = in_order(verdicts)
-    if contest.scenario.plan is None:  # both are shown under the same draw
+    if runner.scenario.plan is None:  # both are shown under the same draw
         both = (runs.stated for runs in paired(outcomes[0], outcomes[order[0]]))
         verdicts[0] = replace(verdicts[0], typical=typical_of(*both))
-    ordered, limit = [verdicts[i] for i in order], contest.settings.slide_limit
+    ordered, limit = [verdicts[i] for i in order], runner.settings.slide_limit
     ranks = ranks_of(ordered, [outcomes[i] for i in order], limit)
     return tuple(replace(verdict, rank=rank) for verdict, rank in zip(ordered, ranks, strict=True))
 
 
 def option_verdict(
-    contest: Contest, option: Option, runs: Runs, bare: Runs | None, comparisons: int = 1
+    runner: OptionRunner, option: Option, runs: Runs, bare: Runs | None, comparisons: int = 1
 ) -> OptionVerdict:
     """Return the verdict on an option, which has no rank yet.
 
     Parameters
     ----------
-    contest : Contest
+    runner : OptionRunner
         Under whose motions and draws it ran.
     option : Option
         What is in place.
@@ -254,13 +254,13 @@ def option_verdict(
     comparisons : int
         How many options are compared with what is without.
     """
-    limit, scenario = contest.settings.slide_limit, contest.scenario
-    held, failed = contest.held_by(option), runs.devices["failure"] != HOLDS
+    limit, scenario = runner.settings.slide_limit, runner.scenario
+    held, failed = runner.held_by(option), runs.devices["failure"] != HOLDS
     each = [
         replace(outcomes, device_failed=failed[:, [name in pieces for pieces, _ in held]].any(axis=1))
         for name, outcomes in zip(scenario.names, runs.of_bodies(), strict=True)
     ]
-    copies, stated = contest.copies(option), runs.stated
+    copies, stated = runner.copies(option), runs.stated
     of_kinds = [_of_kind(each, copies[n]) for n in range(len(each))]
     changes: list[Difference | None] = [None] * len(each)
     if bare is not None:
@@ -269,12 +269,12 @@ def option_verdict(
         changes = [now.difference(now.overturned, then, then.overturned, comparisons) for now, then in pairs]
     people, zones, harm = None, [None] * len(each), [0.0] * len(each)
     if scenario.plan is not None:
-        plan, pieces = contest.plan(option), contest.scene(option).pieces
+        plan, pieces = runner.plan(option), runner.scene(option).pieces
         masses = [(name, piece.body.mass) for name, piece in zip(scenario.names, pieces, strict=True)]
-        ends = contest.watcher.ends(plan, [at_rest(piece) for piece in pieces])
+        ends = runner.detector.ends(plan, [at_rest(piece) for piece in pieces])
         people = people_of(stated, None if bare is None else bare.stated, plan, masses, ends)
         harm = [harm_of(hardest(stated, [n]), plan.places, stated.missing) for n in range(len(each))]
-        zones = zones_of(stated, pieces, contest.watcher, plan)
+        zones = zones_of(stated, pieces, runner.detector, plan)
 
     def change(*, moved: bool = False) -> Difference | None:
         if bare is None:

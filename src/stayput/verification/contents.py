@@ -28,7 +28,7 @@ from stayput.uncertainty import QUANTITIES, Uncertainty
 if TYPE_CHECKING:
     from stayput.model.body import Body
     from stayput.scenario.measures import Option
-    from stayput.verification.contest import Contest
+    from stayput.verification.option_runner import OptionRunner
 
 OPEN = 0.5
 """How far the drawers of the bound with open drawers are out, as a part of the depth."""
@@ -122,32 +122,32 @@ class ContentsVerdict:
 
 
 def contents_verdicts(
-    contest: Contest, options: Sequence[Option], runs: Sequence[int]
+    runner: OptionRunner, options: Sequence[Option], runs: Sequence[int]
 ) -> list[ContentsVerdict | None]:
     """Follow what is in the furniture; none of each option where the scenario says nothing of contents.
 
     Parameters
     ----------
-    contest : Contest
+    runner : OptionRunner
         Under whose motions and draws the furniture is run.
     options : sequence of Option
         The options; the first has nothing in place.
     runs : sequence of int
         How many runs each has in the comparison.
     """
-    scenario = contest.scenario
+    scenario = runner.scenario
     contents = scenario.contents
     if contents is None:
         return [None] * len(options)
     body = scenario.piece.body()
-    overturns, carrier = (_in_plane if contest.in_plane else _in_space)(contest, options)
-    most = min(contest.settings.motions, MOTIONS)
+    overturns, carrier = (_in_plane if runner.in_plane else _in_space)(runner, options)
+    most = min(runner.settings.motions, MOTIONS)
     followed = [(place, motion) for place, of in enumerate(runs) for motion in range(min(of, most))]
 
     def follow(place: int, motion: int) -> Spill | None:
         return _spilt_by(carrier(place, motion), body, contents, leaving=True)
 
-    with Pool(contest.threads) as pool:
+    with Pool(runner.threads) as pool:
         each = [*pool.in_order(partial(follow, *at) for at in followed)]
     spilt = [
         [spill for at, spill in zip(followed, each, strict=True) if at[0] == place]
@@ -181,8 +181,8 @@ an option under a motion: first draws.
 """
 
 
-def _in_plane(contest: Contest, options: Sequence[Option]) -> FirstRuns:
-    scenario, settings, floors = contest.scenario, contest.settings, contest.floors
+def _in_plane(runner: OptionRunner, options: Sequence[Option]) -> FirstRuns:
+    scenario, settings, floors = runner.scenario, runner.settings, runner.floors
     drawn = first_draws(settings.motions, settings.seed, settings.as_stated, settings.quantities)
     floors = replace(floors, motions=floors.motions[:MOTIONS], scales=floors.scales[:MOTIONS])
     body, room, stands = scenario.piece.body(), scenario.room.room(), scenario.initial.state()
@@ -191,7 +191,7 @@ def _in_plane(contest: Contest, options: Sequence[Option]) -> FirstRuns:
         return rows_of(of, room, option.measures, drawn, settings.gravity, stands)
 
     def overturns(other: Body, count: int) -> Probability:
-        (runs,) = run_level([rows(other, options[0])], floors, threads=contest.threads)
+        (runs,) = run_level([rows(other, options[0])], floors, threads=runner.threads)
         return runs.chosen(slice(count)).probability_of_overturning()
 
     mine = [rows(body, option) for option in options]
@@ -199,22 +199,22 @@ def _in_plane(contest: Contest, options: Sequence[Option]) -> FirstRuns:
     return overturns, lambda place, motion: _carrier_under(mine[place], motion, floor, body.height)
 
 
-def _in_space(contest: Contest, options: Sequence[Option]) -> FirstRuns:
-    scenario, settings, runner = contest.scenario, contest.settings, contest.runner
-    scenes, stands = [*map(contest.scene, options)], scenario.initial.state()
+def _in_space(runner: OptionRunner, options: Sequence[Option]) -> FirstRuns:
+    scenario, settings, scene_runner = runner.scenario, runner.settings, runner.scene_runner
+    scenes, stands = [*map(runner.scene, options)], scenario.initial.state()
 
     def overturns(other: Body, count: int) -> Probability:
         scene = scenes[0]
         other_scene = replace(scene, pieces=[replace(piece, body=other) for piece in scene.pieces])
         # a library of its own: as in the plane its runs do not count
-        anew = runner.anew(lambda _runs: contest.advance(0))
+        anew = scene_runner.anew(lambda _runs: runner.advance(0))
         with scenario.naming_keys():
             (runs,) = anew.run([other_scene], Members.of_samples(count, 1))
         return runs.probability_of_overturning()
 
     def carrier(place: int, motion: int) -> Carrier:
-        scene, draw = scenes[place], runner.library.draws.draw(motion, 0, ("0",))
-        floor, scale = contest.floors.motions[motion], float(contest.floors.scales[motion])
+        scene, draw = scenes[place], scene_runner.library.draws.draw(motion, 0, ("0",))
+        floor, scale = runner.floors.motions[motion], float(runner.floors.scales[motion])
         shaken = drawn_shaking(floor, scale, draw, settings.gravity)
         fine = shaken.refined(parts(shaken.dt))
         traced = trace_draw(scene, draw, fine, settings.gravity, scene.names, stands)

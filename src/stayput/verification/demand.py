@@ -17,24 +17,24 @@ if TYPE_CHECKING:
     from stayput.measures import Element
     from stayput.montecarlo.runs import Runs
     from stayput.scenario.measures import Option
-    from stayput.verification.contest import Contest
+    from stayput.verification.option_runner import OptionRunner
     from stayput.verification.verdict import OptionVerdict
 
 
-def with_demand(contest: Contest, verdict: OptionVerdict) -> OptionVerdict:
+def with_demand(runner: OptionRunner, verdict: OptionVerdict) -> OptionVerdict:
     """Return the verdict on an option with what is asked of its devices, over what they bear.
 
     Parameters
     ----------
-    contest : Contest
+    runner : OptionRunner
         Under whose motions and draws the option ran.
     verdict : OptionVerdict
         The verdict on it.
     """
-    held = contest.held_by(verdict.option)
+    held = runner.held_by(verdict.option)
     if not any(element is not None for _, element in held):
         return verdict
-    (runs,) = contest.run([unbreakable(verdict.option)], contest.demand_members)
+    (runs,) = runner.run([unbreakable(verdict.option)], runner.demand_members)
     devices = tuple(
         device if element is None else replace(device, demand=_demand(element, runs, number))
         for number, (device, (_, element)) in enumerate(zip(verdict.devices, held, strict=True))

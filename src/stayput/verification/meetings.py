@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from stayput.fragility.probabilities import Probability
     from stayput.montecarlo.runs import Runs
     from stayput.scenario.measures import Option
-    from stayput.verification.contest import Contest
+    from stayput.verification.option_runner import OptionRunner
     from stayput.verification.verdict import Verdict
 
 
@@ -39,12 +39,12 @@ class Meeting(NamedTuple):
     chance: Probability
 
 
-def meetings_of(contest: Contest, option: Option, runs: Runs) -> tuple[Meeting, ...]:
+def meetings_of(runner: OptionRunner, option: Option, runs: Runs) -> tuple[Meeting, ...]:
     """Return which pieces come together that run by themselves, the likeliest first.
 
     Parameters
     ----------
-    contest : Contest
+    runner : OptionRunner
         Under whose motions and draws they ran.
     option : Option
         What is in place.
@@ -53,8 +53,8 @@ def meetings_of(contest: Contest, option: Option, runs: Runs) -> tuple[Meeting, 
     """
     if not runs.tracks.size:
         return ()
-    names, meetings = contest.scenario.names, list[Meeting]()
-    groups = [standing.group for standing in contest.runner.standings(contest.scene(option))]
+    names, meetings = runner.scenario.names, list[Meeting]()
+    groups = [standing.group for standing in runner.scene_runner.standings(runner.scene(option))]
     for group, further in combinations(groups, 2):
         for a in group:
             for b in further:

@@ -132,7 +132,7 @@ class DoorVerdict:
     at_rest: bool
 
 
-class Outlook(NamedTuple):
+class PairedEstimate(NamedTuple):
     """How often something happens, and that less how often without the option; None of that itself."""
 
     chance: Probability
@@ -145,9 +145,9 @@ class People:
 
     Parameters
     ----------
-    crushed, hit, touched : Outlook
+    crushed, hit, touched : PairedEstimate
         That anybody who is there is crushed, is hit, is touched; see `PlaceVerdict`.
-    shut_in, blocked : Outlook
+    shut_in, blocked : PairedEstimate
         That anybody is shut in; that any door is blocked.
     risk : float
         Chance that a person is hit, weighted by how long somebody is at each place.
@@ -159,11 +159,11 @@ class People:
         In the order of the file.
     """
 
-    crushed: Outlook
-    hit: Outlook
-    touched: Outlook
-    shut_in: Outlook
-    blocked: Outlook
+    crushed: PairedEstimate
+    hit: PairedEstimate
+    touched: PairedEstimate
+    shut_in: PairedEstimate
+    blocked: PairedEstimate
     risk: float
     harm: float
     places: tuple[PlaceVerdict, ...]
@@ -278,7 +278,9 @@ def people_of(
     if bare is not None:
         then = events_of(bare)
         changes = {name: runs.difference(flags, bare, then[name]) for name, flags in happened.items()}
-    outlooks = {name: Outlook(runs.probability(flags), changes.get(name)) for name, flags in happened.items()}
+    estimates = {
+        name: PairedEstimate(runs.probability(flags), changes.get(name)) for name, flags in happened.items()
+    }
     places = tuple(
         PlaceVerdict(
             place=place,
@@ -295,7 +297,7 @@ def people_of(
     )
     risk = risk_of(at_places["hit"], plan.places, runs.missing)
     harm = harm_of(hardest(runs), plan.places, runs.missing)
-    return People(**outlooks, risk=risk, harm=harm, places=places, doors=doors)
+    return People(**estimates, risk=risk, harm=harm, places=places, doors=doors)
 
 
 def _by(runs: Runs, place: int, pieces: Sequence[tuple[str, float]]) -> tuple[HitVerdict, ...]:

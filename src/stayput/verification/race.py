@@ -19,10 +19,10 @@ from stayput.verification.people import events_of, hardest, harm_of
 
 if TYPE_CHECKING:
     from stayput.scenario.measures import Option
-    from stayput.verification.contest import Contest
+    from stayput.verification.option_runner import OptionRunner
 
-STEP = 8
-"""Runs that an option has in a look: as many kinds of motions follow each other in turn."""
+FIRST_LOOK, STEP = 4, 8
+"""Runs of all options at the first look, which is the first answer, and more of an option in a later one."""
 
 LEADERS = 3
 """Options that run on beside that without anything after the first look."""
@@ -50,7 +50,7 @@ class Race:
 
     Parameters
     ----------
-    contest : Contest
+    runner : OptionRunner
         The motions and draws.
     options : sequence of Option
         The options; the first has nothing in place.
@@ -58,14 +58,14 @@ class Race:
     Attributes
     ----------
     runs : list of Runs
-        Those of each option, in the order of the members of the contest.
+        Those of each option, in the order of the members of the runner.
     precise : bool
         Whether all that was to be known well enough is.
     """
 
-    def __init__(self, contest: Contest, options: Sequence[Option]) -> None:
-        self.contest, self.options = contest, [*options]
-        self._tracked = 0 if contest.scenario.alone else len(options)
+    def __init__(self, runner: OptionRunner, options: Sequence[Option]) -> None:
+        self.runner, self.options = runner, [*options]
+        self._tracked = 0 if runner.scenario.alone else len(options)
         self.runs: list[Runs] = []
         self.precise = False
 
@@ -75,7 +75,7 @@ class Race:
 
     def all_runs(self) -> Iterator[None]:
         """Make all runs of all options, and yield after each part of them."""
-        most, count = len(self.contest.members), STEP
+        most, count = len(self.runner.members), STEP
         while True:
             self._run_to(dict.fromkeys(range(len(self.options)), count))
             yield
@@ -85,9 +85,10 @@ class Race:
 
     def looks(self) -> Iterator[None]:
         """Run the race, and yield after each look."""
-        most, everyone = len(self.contest.members), range(len(self.options))
-        self._run_to(dict.fromkeys(everyone, STEP))
-        yield
+        most, everyone = len(self.runner.members), range(len(self.options))
+        for count in (STEP,) if self.runs else (FIRST_LOOK, STEP):
+            self._run_to(dict.fromkeys(everyone, count))
+            yield
         self._run_to(dict.fromkeys([0, *self._in_order()[:LEADERS]], 2 * STEP))
         yield
         while True:
@@ -96,7 +97,7 @@ class Race:
             done = {number: len(self.runs[number].members) for number in unknown}
             going = {number: count + STEP for number, count in done.items() if count < most}
             if going:
-                if not self.contest.scenario.alone:
+                if not self.runner.scenario.alone:
                     # what all are compared with has all runs of each: most of them are there already
                     going[0] = max(len(self.runs[0].members), *going.values())
                 self._run_to(going)
@@ -107,7 +108,7 @@ class Race:
 
     def _run_to(self, counts: dict[int, int]) -> None:
         """Run options until they have so many runs, as far as there are members."""
-        most = len(self.contest.members)
+        most = len(self.runner.members)
         self.runs += [None] * (len(self.options) - len(self.runs))  # type: ignore[list-item]
         spans = dict[tuple[int, int, bool], list[int]]()
         for number, asked in counts.items():
@@ -116,8 +117,8 @@ class Race:
             if done < count:
                 spans.setdefault((done, count, number < self._tracked), []).append(number)
         for (done, count, keep), numbers in spans.items():
-            members = self.contest.members.chosen(slice(done, count))
-            more = self.contest.run([self.options[number] for number in numbers], members, keep=keep)
+            members = self.runner.members.chosen(slice(done, count))
+            more = self.runner.run([self.options[number] for number in numbers], members, keep=keep)
             for number, runs in zip(numbers, more, strict=True):
                 self.runs[number] = Runs.joined([self.runs[number], runs]) if done else runs
 
@@ -128,15 +129,15 @@ class Race:
     def _gain(self, number: int) -> tuple[float, ...]:
         """Return by how much harm, what people read and sliding exceed those without anything, run by run."""
         option, bare = paired(self.runs[number], self.runs[0])
-        known, limit = ~(option.missing | bare.missing), self.contest.settings.slide_limit
+        known, limit = ~(option.missing | bare.missing), self.runner.settings.slide_limit
         if not known.any():
             return (np.inf,)
         sliding = float(option.moved(limit)[known].mean() - bare.moved(limit)[known].mean())
         less = self._more(number), sliding, self.options[number].count
-        if self.contest.scenario.plan is None:
+        if self.runner.scenario.plan is None:
             return less
         harm, before = (
-            harm_of(hardest(each), self.contest.plan(self.options[number]).places, ~known)
+            harm_of(hardest(each), self.runner.plan(self.options[number]).places, ~known)
             for each in (option, bare)
         )
         return harm - before, *less
@@ -150,8 +151,8 @@ class Race:
 
     def _known(self, number: int, best: int) -> bool:
         """Return whether what people read of an option is known well enough."""
-        precision = self.contest.settings.precision
-        target = HALF_WIDTHS[2 if self.contest.in_plane else 3] if precision is None else precision
+        precision = self.runner.settings.precision
+        target = HALF_WIDTHS[2 if self.runner.in_plane else 3] if precision is None else precision
         if number in self._contenders(best):
             target *= CONTENDER
         elif number not in (0, best):
@@ -167,7 +168,7 @@ class Race:
         """Return the options of which it is open which is the best, where they help; else none."""
         least = self._more(best)
         # of a room several changes often take away the same harm: which of them is best does not matter
-        if best == 0 or least > -NEAR or self.contest.scenario.plan is not None:
+        if best == 0 or least > -NEAR or self.runner.scenario.plan is not None:
             return []
         near = [n for n in self._in_order()[: LEADERS + 1] if self._more(n) <= least + CONTENDS]
         unbeaten = [number for number in near if number == best or not self._beaten(number, best)]
@@ -175,8 +176,8 @@ class Race:
 
     def _read(self, runs: Runs) -> NDArray[np.bool_]:
         """Return what people read first: whether somebody is hit, or whether a counted piece overturns."""
-        in_room = self.contest.scenario.plan is not None
-        hit_is_read = in_room and len(self.contest.plan(self.options[0]).places) > 0
+        in_room = self.runner.scenario.plan is not None
+        hit_is_read = in_room and len(self.runner.plan(self.options[0]).places) > 0
         return events_of(runs)["hit"] if hit_is_read else runs.overturned
 
     def _beaten(self, number: int, best: int) -> bool:

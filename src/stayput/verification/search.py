@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from stayput.montecarlo.runs import Runs
     from stayput.scenario.measures import Option
     from stayput.simulation.groups import Track
-    from stayput.verification.contest import Contest
+    from stayput.verification.option_runner import OptionRunner
 
 ALIKE = 1e-9
 """Chances that differ by no more are equal."""
@@ -37,24 +37,24 @@ SAME = 0.05
 """Distance below which another place is the one where something is already [m]."""
 
 
-def tried_options(contest: Contest, base: Option, runs: Runs) -> Iterator[Option]:
+def tried_options(runner: OptionRunner, base: Option, runs: Runs) -> Iterator[Option]:
     """Yield the room with single changes: another place first, then measures on what does most harm.
 
     After them come measures on what overturns without doing harm where it stands.
 
     Parameters
     ----------
-    contest : Contest
+    runner : OptionRunner
         The room's motions and draws.
     base : Option
         The room as it is.
     runs : Runs
         Its runs, with their tracks.
     """
-    scenario, names, plan = contest.scenario, contest.scenario.names, contest.plan(base)
-    harmful, falling = harmful_pieces(contest, base, runs), falling_pieces(runs)
-    for change in moves_of(contest, base, runs, harmful):
-        contest.advance(0)  # who has left may end it here
+    scenario, names, plan = runner.scenario, runner.scenario.names, runner.plan(base)
+    harmful, falling = harmful_pieces(runner, base, runs), falling_pieces(runs)
+    for change in moves_of(runner, base, runs, harmful):
+        runner.advance(0)  # who has left may end it here
         yield changes.with_changes(base, [change], names)
 
     def key(body: int) -> tuple[float, ...]:
@@ -63,10 +63,10 @@ def tried_options(contest: Contest, base: Option, runs: Runs) -> Iterator[Option
     chances = overturning(runs)
     for body in sorted(harmful | falling, key=key, reverse=True):
         for kind in TRIED_ALONE if scenario.pieces[body].is_furniture else ():
-            (measure,) = changes.measures_for((kind,), contest.scene(base), body)
+            (measure,) = changes.measures_for((kind,), runner.scene(base), body)
             option = changes.with_changes(base, [changes.Change(names[body], measure)], names)
             with suppress(InputError):  # it cannot be put there
-                changes.refuse_unheld(contest.scene(option), body)
+                changes.refuse_unheld(runner.scene(option), body)
                 yield option
 
 
@@ -80,9 +80,9 @@ def falling_pieces(runs: Runs) -> set[int]:
     return {body for body, chance in enumerate(overturning(runs)) if chance >= MAY_FALL_FROM}
 
 
-def harmful_pieces(contest: Contest, option: Option, runs: Runs) -> set[int]:
+def harmful_pieces(runner: OptionRunner, option: Option, runs: Runs) -> set[int]:
     """Return the pieces without which fewer would be hit or shut in, or fewer doors blocked."""
-    plan, count = contest.plan(option), len(contest.scenario.names)
+    plan, count = runner.plan(option), len(runner.scenario.names)
     harmful: set[int] = set()
     hit, blocked = hits_in(runs), int(runs.blocked.sum() + runs.shut_in.sum())
     risk = risk_of(np.any(hit, axis=2), plan.places, runs.missing)
@@ -91,7 +91,7 @@ def harmful_pieces(contest: Contest, option: Option, runs: Runs) -> set[int]:
         less = risk_of(np.any(hit[..., others], axis=2), plan.places, runs.missing) < risk
         if not less and blocked:
             each = runs.tracks[:, others].tolist()
-            ends = (contest.watcher.ends(plan, tracks) for tracks in each)
+            ends = (runner.detector.ends(plan, tracks) for tracks in each)
             less = sum(sum(doors) + sum(people) for doors, people in ends) < blocked
         if less:
             harmful.add(body)
@@ -99,13 +99,13 @@ def harmful_pieces(contest: Contest, option: Option, runs: Runs) -> set[int]:
 
 
 def moves_of(
-    contest: Contest, option: Option, runs: Runs, harmful: Collection[int]
+    runner: OptionRunner, option: Option, runs: Runs, harmful: Collection[int]
 ) -> Iterator[changes.Change]:
     """Yield the best spot for each place at which somebody is hit, and for harmful pieces at each wall.
 
     Parameters
     ----------
-    contest : Contest
+    runner : OptionRunner
         The room's motions and draws.
     option : Option
         The room as it is.
@@ -114,11 +114,11 @@ def moves_of(
     harmful : collection of int
         The pieces that may be moved.
     """
-    scenario, scene, plan = contest.scenario, contest.scene(option), contest.plan(option)
+    scenario, scene, plan = runner.scenario, runner.scene(option), runner.plan(option)
     floor, hit = changes.FreeFloor(plan, scene.pieces), hits_in(runs)
     swept = [swept_in_falling(tracks) for tracks in runs.tracks.T]
     for place in (plan.places[number] for number in np.flatnonzero(hit.any(axis=(0, 2)))):
-        contest.advance(0)  # who has left may end it here
+        runner.advance(0)  # who has left may end it here
         others = [other for other in changes.other_places(place, floor) if _away(place, other) >= SAME]
         if others:
             over = np.any([reached(of_piece, others) for of_piece in swept], axis=0)
@@ -137,7 +137,7 @@ def moves_of(
 
         here = risk_at(swept[body])
         for wall, middles in changes.places_at_walls(scene, body, floor):
-            contest.advance(0)
+            runner.advance(0)
             angle = FACING[wall] - piece.heading
             turned = turned_rectangles(swept[body] - origin, angle)
             faces_the_same = abs(math.remainder(angle, 2.0 * math.pi)) < 1e-9

@@ -388,11 +388,11 @@ def _piece(piece: PieceVerdict, counts: bool) -> dict[str, Any]:
 def people_data(people: People) -> dict[str, Any]:
     """Return what happens to the people of a room as plain values."""
     names = "crushed", "hit", "touched", "shut_in", "blocked"
-    outlooks = {name: getattr(people, name) for name in names}
+    estimates = {name: getattr(people, name) for name in names}
     return {
         "crushed_from_J": CRUSHING_ENERGY,
-        **{name: interval_data(outlook.chance) for name, outlook in outlooks.items()},
-        **{f"{name}_change": interval_data(outlook.change) for name, outlook in outlooks.items()},
+        **{name: interval_data(estimate.chance) for name, estimate in estimates.items()},
+        **{f"{name}_change": interval_data(estimate.change) for name, estimate in estimates.items()},
         "risk": number(people.risk),
         "harm_J": number(people.harm),
         "places": [

@@ -1,4 +1,4 @@
-"""`Contest`: the options of a verification under its motions and draws; and one of its runs made again."""
+"""`OptionRunner`: runs the options of a verification under its motions and draws, or one run again."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from stayput.montecarlo.scenes import SceneRunner, replay
 from stayput.motion.suites.suite import Suite
 from stayput.simulation.case import Case, run_of
 from stayput.simulation.space import warn_of_settlement
-from stayput.verification.events import Watcher
+from stayput.verification.events import RoomEventDetector
 
 if TYPE_CHECKING:
     import numpy as np
@@ -111,8 +111,8 @@ def _kept_library(scenario: Scenario, floors: FloorMotions) -> Library:
     return library
 
 
-class Contest:
-    """The options of a verification under its motions and draws.
+class OptionRunner:
+    """Runs the options of a verification under its motions and draws.
 
     Parameters
     ----------
@@ -124,7 +124,7 @@ class Contest:
         As many as there are cores by default. The bits do not depend on them.
     scaled_motions : ScaledMotions, optional
         The motions at any level; those of the scenario by default.
-    times : float
+    shaking_factor : float
         A factor on the shaking that the scenario states.
     beside : bool
         Whether two in five of the runs are at the levels beside the stated one; see `OFFSETS`.
@@ -143,7 +143,7 @@ class Contest:
         Of the draws.
     members : Members
         All runs that an option may have, in the order in which they are made.
-    watcher : Watcher
+    detector : RoomEventDetector
         Who looks at the runs of a room with a plan.
     """
 
@@ -154,25 +154,27 @@ class Contest:
         threads: int | None,
         *,
         scaled_motions: ScaledMotions | None = None,
-        times: float = 1.0,
+        shaking_factor: float = 1.0,
         beside: bool = False,
         levels: Sequence[float] = (),
         advance: Callable[[int], None] = lambda _runs: None,
     ) -> None:
         self.scenario, self.threads, self.advance = scenario, threads, advance
         motions = scaled_motions or ScaledMotions.of(scenario)
-        self.floors = motions.stated_by(scenario, threads, times)
+        self.floors = motions.stated_by(scenario, threads, shaking_factor)
         self.settings = Settings.of(scenario, len(self.floors.motions), slide_limit)
         factors = [10.0 ** (0.5 * offset) for offset in OFFSETS[1:] if beside]
-        nearby = [motions.stated_by(scenario, threads, times * factor) for factor in factors]
+        nearby = [motions.stated_by(scenario, threads, shaking_factor * factor) for factor in factors]
         further = [motions.at(float(level), threads) for level in levels]
         self.all_floors = FloorMotions.joined([self.floors, *nearby, *further])
         self.members = Members.in_turn(self.settings.motions, self.settings.runs, beside=beside)
-        self.watcher = Watcher()
+        self.detector = RoomEventDetector()
         self._scenes: dict[int, tuple[Option, Scene]] = {}
-        again = scenario.plan is not None and times == 1.0
+        again = scenario.plan is not None and shaking_factor == 1.0
         library = (_kept_library if again else Library)(scenario, self.all_floors)
-        self.runner = SceneRunner(scenario, library, threads=threads, advance=advance, watch=self.watcher)
+        self.scene_runner = SceneRunner(
+            scenario, library, threads=threads, advance=advance, detect=self.detector
+        )
 
     @property
     def in_plane(self) -> bool:
@@ -225,7 +227,7 @@ class Contest:
         if self.in_plane:
             return copies
         facing = dict[str, dict[int, int]]()
-        alone = [each for each in self.runner.standings(self.scene(option)) if len(each.group) == 1]
+        alone = [each for each in self.scene_runner.standings(self.scene(option)) if len(each.group) == 1]
         for standing in alone:
             same = facing.setdefault(standing.kind.key, {})
             same.setdefault(standing.axes.quarter_turns, standing.group[0])
@@ -241,7 +243,7 @@ class Contest:
             return [(scenario.names, element) for element in held.elements]
         scene, each = self.scene(option), list[tuple[tuple[str, ...], Element | None]]()
         with scenario.naming_keys():
-            standings = self.runner.standings(scene)
+            standings = self.scene_runner.standings(scene)
             on = {
                 number: elements
                 for standing in standings
@@ -271,9 +273,9 @@ class Contest:
             rows = self.rows(options, members)
             return run_level(rows, self.all_floors, members, threads=self.threads, progress=self.advance)
         with self.scenario.naming_keys():
-            return self.runner.run([*map(self.scene, options)], members, keep=keep)
+            return self.scene_runner.run([*map(self.scene, options)], members, keep=keep)
 
     def devices_of(self, option: Option, body: int) -> NDArray[np.void]:
         """Return what became of what holds a piece of a scene; see `SceneRunner.devices_of`."""
         with self.scenario.naming_keys():
-            return self.runner.devices_of(self.scene(option), body, self.demand_members)
+            return self.scene_runner.devices_of(self.scene(option), body, self.demand_members)
