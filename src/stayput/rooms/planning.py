@@ -327,9 +327,12 @@ class _Planner:
         single, double = ([kinds for kinds in TRIED if len(kinds) == n and allowed(kinds)] for n in (1, 2))
         tried = self._helpful(body, moves, single)
         sound = self._sound(tried, body, moves)
-        if sound is None and any(self._clear.get((body, trial.kinds)) for trial in tried):
+        if sound is None and (not tried or any(self._clear.get((body, trial.kinds)) for trial in tried)):
             tried += self._helpful(body, moves, double)
             sound = self._sound(tried, body, moves)
+        else:
+            why = self._not_taken[self.scenario.names[body]]
+            why |= {kinds: phrase("action_plan.pair_not_tried") for kinds in double if kinds not in why}
         return tried, sound
 
     def _sound(self, tried: Iterable[Trial], body: int, moves: tuple[Change, ...]) -> Fix | None:

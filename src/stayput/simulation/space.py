@@ -283,7 +283,9 @@ def trace_together(
     planes = planes_around(scene.pieces, scene.around)
     pieces, floors = [body.piece for body in bodies], [body.floor for body in bodies]
     if make_room:
-        for plane in planes[1:]:
+        for plane in planes:
+            if plane["nz"] != 0.0:  # neither the floor nor the ceiling
+                continue
             normal = (float(plane["nx"]), float(plane["ny"]), float(plane["nz"]))
             plane["offset"] = min(plane["offset"], *(piece.reach(normal)[0] - APART for piece in pieces))
     world = world_of([piece.solid for piece in pieces], floors, planes, scene.friction)

@@ -82,9 +82,7 @@ def notes_of_rooms(verdict: Verdict) -> Iterator[Phrase]:
         if count > 1:
             numbers = [number for number, of in enumerate(verdict.kinds) if of == kind]
             chance = verdict.without.pieces[numbers[0]].probabilities[OVERTURNED].estimate
-            yield phrase(
-                "verification.alike",
-                pieces=joined([called(verdict.scenario.names[number]) for number in numbers]),
-                least=f"{100.0 * chance:.0f}",
-                most=f"{100.0 * (1.0 - (1.0 - chance) ** count):.0f}",
-            )
+            least, most = (f"{100.0 * share:.0f}" for share in (chance, 1.0 - (1.0 - chance) ** count))
+            if least != most:
+                pieces = joined([called(verdict.scenario.names[number]) for number in numbers])
+                yield phrase("verification.alike", pieces=pieces, least=least, most=most)
