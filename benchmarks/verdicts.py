@@ -37,14 +37,14 @@ ALONG = {
 def office() -> dict[str, Any]:
     """Return a room of 8 by 6 m with twelve pieces, three desks and two doors."""
     furniture = [
-        {"name": f"{wall} {n}", "preset": preset, "against": wall, "along": 1.0 + 1.4 * n}
+        {"name": f"{wall} {n}", "preset": preset, "against": wall, "along": 1.2 + 1.4 * n}
         for wall, presets in ALONG.items()
         for n, preset in enumerate(presets)
     ]
     desks = [{"kind": "desk", "name": f"desk {n}", "at": [1.6 + 1.8 * n, 2.6]} for n in range(3)]
     doors = [
-        {"wall": "near_side_wall", "start": 0.4, "width": 0.9},
-        {"wall": "near_side_wall", "start": 6.8, "width": 0.9},
+        {"name": f"door {n}", "wall": "near_side_wall", "start": 0.2 + 6.6 * n, "width": 0.9}
+        for n in range(2)
     ]
     return {"plan": {"width": 8.0, "length": 6.0}, "furniture": furniture, "places": desks, "doors": doors}
 

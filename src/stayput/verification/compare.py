@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -82,6 +82,7 @@ def compare(
             advance=count,
         )
         floors, race = runner.floors, Race(runner, options)
+        known: KnownVerdicts = {}
         estimates = Estimates.of(scenario.piece.body(), floors, scenario, threads) if scenario.alone else None
 
         def so_far(**more: Any) -> Verdict:
@@ -89,7 +90,7 @@ def compare(
                 scenario=scenario,
                 intensity=floors.median_intensity,
                 slide_limit=limit,
-                options=verdicts_of(runner, race.options, race.runs, **more),
+                options=verdicts_of(runner, race.options, race.runs, known, **more),
                 estimates=estimates,
                 motions=settings.motions,
                 runs=count.done,
@@ -199,10 +200,16 @@ def _curves(name: str, floors: FloorMotions, runs: Sequence[Runs]) -> dict[Inten
     }
 
 
+KnownVerdicts: TypeAlias = "dict[tuple[int, ...], tuple[Sequence[Runs], OptionVerdict]]"
+"""Verdicts on options with the runs that they are made from, by the ids of these and how many options there are.
+"""
+
+
 def verdicts_of(
     runner: OptionRunner,
     options: Sequence[Option],
     outcomes: Sequence[Runs],
+    known: KnownVerdicts,
     *,
     drawn: bool = False,
     at_levels: Sequence[Sequence[Runs]] = (),
@@ -211,13 +218,19 @@ def verdicts_of(
 ) -> tuple[OptionVerdict, ...]:
     """Return the verdicts on options, that without anything first in its arguments, the best first.
 
-    How they rank is in `stayput.verification.ranking`.
+    How they rank is in `stayput.verification.ranking`. Verdicts on options without new runs are used again.
     """
     verdicts: list[OptionVerdict] = []
     for i, (option, runs) in enumerate(zip(options, outcomes, strict=True)):
         further = [level[i] for level in at_levels]
         curves = _curves(option.name, runner.all_floors, [runs, *further]) if drawn else {}
-        verdict = option_verdict(runner, option, runs, outcomes[0] if i else None, len(options) - 1)
+        bare = outcomes[0] if i else None
+        # where no curve is fitted, further runs of what is without change no difference from it
+        used = (runs,) if bare is None or not runner.members.level.any() else (runs, bare)
+        key = (len(options), *map(id, used))
+        if key not in known:  # the runs are kept with it, so that the ids stay their own
+            known[key] = used, option_verdict(runner, option, runs, bare, len(options) - 1)
+        verdict = known[key][1]
         capacities = {p: curves[JMA_INTENSITY].capacity(p) for p in CAPACITIES} if curves else {}
         verdicts.append(
             replace(

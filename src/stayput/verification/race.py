@@ -21,25 +21,24 @@ if TYPE_CHECKING:
     from stayput.scenario.measures import Option
     from stayput.verification.option_runner import OptionRunner
 
-FIRST_LOOK, STEP = 4, 8
-"""Runs of all options at the first look, which is the first answer, and more of an option in a later one."""
+FIRST_LOOK, STEP, STEP_IN_ROOM = 4, 8, 4
+"""Runs of all options at the first look, which is the first answer, and more of an option in a later one.
+
+In a room a look is cheap: most runs of an option are those of others, and no curve is fitted."""
 
 LEADERS = 3
-"""Options that run on beside that without anything after the first look."""
+"""Options that run on beside that without anything after the first look; others of a room cannot win then."""
 
 HALF_WIDTHS = {2: 0.10, 3: 0.16}
 """Half-width that is enough of what is without anything and of the best, by dimensions.
 
 A run in the plane takes a tenth of the time of one in space."""
 
-NEAR = 0.1
-"""How much less often the best overturns than one that must be known as well: their order is open."""
+HELPS, CONTENDS, CONTENDER = 0.1, 0.15, 0.8
+"""How much less often the best overturns than without anything, and than what may be as good; its factor.
 
-CONTENDS, CONTENDER = 0.15, 0.8
-"""How much less often the best overturns than one that may be as good, and their factor on the half-width.
-
-Where something helps by `NEAR` or more, the options between which it is open are known better than others:
-else what is told as the best is more than 5 points worse than the best in one of twelve races."""
+Where something helps, the options between which it is open are known better than others: else what is told as
+the best is more than 5 points worse than the best in one of twelve races."""
 
 RUNNER_UP, BEATEN = 1.25, 1.9
 """Factors on the half-width for other options: those that may still be the best, and those that cannot be."""
@@ -91,20 +90,22 @@ class Race:
             yield
         self._run_to(dict.fromkeys([0, *self._in_order()[:LEADERS]], 2 * STEP))
         yield
-        while True:
-            best = next(iter(self._in_order()), 0)
-            unknown = [number for number in everyone if not self._known(number, best)]
+        step = STEP_IN_ROOM if self._in_room else STEP
+        while unknown := self._unknown():
             done = {number: len(self.runs[number].members) for number in unknown}
-            going = {number: count + STEP for number, count in done.items() if count < most}
-            if going:
-                if not self.runner.scenario.alone:
-                    # what all are compared with has all runs of each: most of them are there already
-                    going[0] = max(len(self.runs[0].members), *going.values())
-                self._run_to(going)
-                yield
-                continue
-            self.precise = not unknown
-            return
+            going = {number: count + step for number, count in done.items() if count < most}
+            if not going:
+                break
+            if not self.runner.scenario.alone:
+                # what all are compared with has all runs of each: most of them are there already
+                going[0] = max(len(self.runs[0].members), *going.values())
+            self._run_to(going)
+            yield
+        self.precise = not unknown
+
+    @property
+    def _in_room(self) -> bool:
+        return self.runner.scenario.plan is not None
 
     def _run_to(self, counts: dict[int, int]) -> None:
         """Run options until they have so many runs, as far as there are members."""
@@ -134,7 +135,7 @@ class Race:
             return (np.inf,)
         sliding = float(option.moved(limit)[known].mean() - bare.moved(limit)[known].mean())
         less = self._more(number), sliding, self.options[number].count
-        if self.runner.scenario.plan is None:
+        if not self._in_room:
             return less
         harm, before = (
             harm_of(hardest(each), self.runner.plan(self.options[number]).places, ~known)
@@ -149,35 +150,34 @@ class Race:
         more = self._read(option)[known].mean() - self._read(bare)[known].mean() if known.any() else np.inf
         return float(more)
 
-    def _known(self, number: int, best: int) -> bool:
-        """Return whether what people read of an option is known well enough."""
-        precision = self.runner.settings.precision
-        target = HALF_WIDTHS[2 if self.runner.in_plane else 3] if precision is None else precision
-        if number in self._contenders(best):
-            target *= CONTENDER
-        elif number not in (0, best):
-            if self._beaten(number, best):
-                target *= BEATEN
-            elif self._more(number) > self._more(best) + NEAR:
-                target *= RUNNER_UP
-        runs = self.runs[number]
-        chance = runs.probability(self._read(runs))
-        return chance.runs > 0 and chance.half_width <= target
+    def _unknown(self) -> list[int]:
+        """Return the options of which what people read is not known well enough."""
+        precision, order = self.runner.settings.precision, self._in_order()
+        enough = HALF_WIDTHS[2 if self.runner.in_plane else 3] if precision is None else precision
+        best, *others = order or [0]
+        targets = dict.fromkeys((0, best), enough)
+        for place, number in enumerate(others, 1):
+            may_win = not self._beaten(number, best) and (place < LEADERS or not self._in_room)
+            targets[number] = enough * (RUNNER_UP if may_win else BEATEN)
+        targets |= dict.fromkeys(self._contenders(order), enough * CONTENDER)
+        return [number for number in sorted(targets) if not self._half_width(number) <= targets[number]]
 
-    def _contenders(self, best: int) -> list[int]:
+    def _half_width(self, number: int) -> float:
+        runs = self.runs[number]
+        return runs.probability(self._read(runs)).half_width
+
+    def _contenders(self, order: list[int]) -> list[int]:
         """Return the options of which it is open which is the best, where they help; else none."""
-        least = self._more(best)
         # of a room several changes often take away the same harm: which of them is best does not matter
-        if best == 0 or least > -NEAR or self.runner.scenario.plan is not None:
+        if not order or self._in_room or (least := self._more(order[0])) > -HELPS:
             return []
-        near = [n for n in self._in_order()[: LEADERS + 1] if self._more(n) <= least + CONTENDS]
-        unbeaten = [number for number in near if number == best or not self._beaten(number, best)]
+        near = [n for n in order[: LEADERS + 1] if self._more(n) <= least + CONTENDS]
+        unbeaten = [number for number in near if number == order[0] or not self._beaten(number, order[0])]
         return unbeaten if len(unbeaten) > 1 else []
 
     def _read(self, runs: Runs) -> NDArray[np.bool_]:
         """Return what people read first: whether somebody is hit, or whether a counted piece overturns."""
-        in_room = self.runner.scenario.plan is not None
-        hit_is_read = in_room and len(self.runner.plan(self.options[0]).places) > 0
+        hit_is_read = self._in_room and len(self.runner.plan(self.options[0]).places) > 0
         return events_of(runs)["hit"] if hit_is_read else runs.overturned
 
     def _beaten(self, number: int, best: int) -> bool:
