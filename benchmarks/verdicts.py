@@ -1,8 +1,8 @@
 """Processor seconds of whole verdicts: the first answer, all of it, and the plan of a room.
 
 ``python benchmarks/verdicts.py [TURNS]``: each of the scenes below in a process of its own, on one thread, with
-imports and motions; the medians of so many turns, 3 by default. Beside them stand the runs, and the half-widths
-of the 95 % intervals of what people read first, without anything and of the best.
+imports and motions; medians of so many turns, 3 by default. Beside them stand the runs, and the half-widths of
+the 95 % intervals of what people read first, without anything and of the best.
 """
 
 from __future__ import annotations
@@ -56,7 +56,8 @@ def shelves() -> dict[str, Any]:
         for n in range(5)
     ]
     held = [{"name": "gel mats", "measures": {row["name"]: [{"type": "gel_mats"}] for row in rows}}]
-    return {"furniture": rows, "options": held, "uncertainty": {"samples": 6}}
+    shaking = {"intensity": "6-upper", "suite": {"count": 6}}
+    return {"furniture": rows, "options": held, "shaking": shaking, "uncertainty": {"samples": 6}}
 
 
 def scenario_of(name: str) -> Scenario:

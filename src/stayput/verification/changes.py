@@ -167,6 +167,8 @@ def _before(plan: FloorPlan, wall: str, start: float, width: float, depth: float
 
 def overlap(first: NDArray[np.float64], second: NDArray[np.float64]) -> bool:
     """Return whether two convex outlines overlap by more than rounding."""
+    if ((first.min(axis=0) >= second.max(axis=0)) | (second.min(axis=0) >= first.max(axis=0))).any():
+        return False  # the rectangles around most pairs are apart, which is told faster
     for corners in (first, second):
         sides = np.roll(corners, -1, axis=0) - corners
         outwards = np.column_stack((sides[:, 1], -sides[:, 0]))

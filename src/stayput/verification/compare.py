@@ -83,7 +83,6 @@ def compare(
         )
         floors, race = runner.floors, Race(runner, options)
         known: KnownVerdicts = {}
-        estimates = Estimates.of(scenario.piece.body(), floors, scenario, threads) if scenario.alone else None
 
         def so_far(**more: Any) -> Verdict:
             return Verdict(
@@ -91,7 +90,6 @@ def compare(
                 intensity=floors.median_intensity,
                 slide_limit=limit,
                 options=verdicts_of(runner, race.options, race.runs, known, **more),
-                estimates=estimates,
                 motions=settings.motions,
                 runs=count.done,
                 seed=settings.seed,
@@ -131,11 +129,14 @@ def compare(
             ]
         verdict = so_far(**more)
         best, *others = verdict.options
+        alone = scenario.alone
         verdict = replace(
             verdict,
+            # the first answer does not wait for response spectra of all motions: they take as long as many runs
+            estimates=Estimates.of(scenario.piece.body(), floors, scenario, threads) if alone else None,
             options=(with_demand(runner, best), *others),
             runs=count.done,
-            kinds=(0,) if scenario.alone else runner.scene_runner.library.draws.kinds,
+            kinds=(0,) if alone else runner.scene_runner.library.draws.kinds,
             meetings=meetings_of(runner, options[0], race.runs[0]),
         )
     return replace(verdict, complete=True)
@@ -201,8 +202,7 @@ def _curves(name: str, floors: FloorMotions, runs: Sequence[Runs]) -> dict[Inten
 
 
 KnownVerdicts: TypeAlias = "dict[tuple[int, ...], tuple[Sequence[Runs], OptionVerdict]]"
-"""Verdicts on options with the runs that they are made from, by the ids of these and how many options there are.
-"""
+"""Verdicts on options with the runs that they are of, by the number of options and the ids of these runs."""
 
 
 def verdicts_of(
