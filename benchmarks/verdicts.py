@@ -1,7 +1,7 @@
 """Processor seconds of whole verdicts: the first answer, all of it, and the plan of a room.
 
 ``python benchmarks/verdicts.py [TURNS]``: each of the scenes below in a process of its own, on one thread,
-with imports and motions; medians of so many turns, 3 by default. Beside them stand the runs and half-widths of
+with imports and motions; medians of so many turns, 3 by default. Beside them stand runs, and half-widths of
 the 95 % intervals of what people read first, without anything and of the best.
 """
 

@@ -132,7 +132,7 @@ def compare(
         alone = scenario.alone
         verdict = replace(
             verdict,
-            # the first answer does not wait for response spectra of all motions: they take as long as many runs
+            # the first answer does not wait for response spectra of all motions: they take as long as runs
             estimates=Estimates.of(scenario.piece.body(), floors, scenario, threads) if alone else None,
             options=(with_demand(runner, best), *others),
             runs=count.done,
