@@ -109,12 +109,13 @@ class LogitFit:
         middle = float(np.average(u, weights=runs))
         x, of_cell = np.unique(u - middle, return_inverse=True)  # a verification has three levels
         falls, stands = (np.bincount(of_cell, k).astype(np.float64) for k in (fell, runs - fell))
-        fit = cls._posterior(measure, middle, x, falls, stands)
         if motion is None:
-            return fit
-        expected = fit.mean(middle + x)[of_cell]
-        effect = effect_of_residuals(fell - runs * expected, runs, expected, motion)
-        few = quantile(len(np.unique(motion)), round(runs.sum())) / float(ndtri(0.5 + 0.5 * CONFIDENCE))
+            return cls._posterior(measure, middle, x, falls, stands)
+        motions, effect = len(np.unique(motion)), 1.0
+        if runs.sum() > motions:  # runs that have a motion each are independent
+            expected = cls._posterior(measure, middle, x, falls, stands).mean(middle + x)[of_cell]
+            effect = effect_of_residuals(fell - runs * expected, runs, expected, motion)
+        few = quantile(motions, round(runs.sum())) / float(ndtri(0.5 + 0.5 * CONFIDENCE))
         loss = effect * few * few
         return cls._posterior(measure, middle, x, falls / loss, stands / loss, effect)
 
