@@ -242,6 +242,7 @@ def placed(
     drawn_floor: Callable[[Floor], Floor] = lambda floor: floor,
     names: Sequence[str | Phrase] = (),
     initial: State | None = None,
+    planes: NDArray[np.void] | None = None,
 ) -> tuple[Placed, ...]:
     """Return the bodies of a scene with their measures in place.
 
@@ -257,6 +258,8 @@ def placed(
         How refusals call the pieces; by default as `Scene.called`.
     initial : State, optional
         The initial state of furniture; at rest by default.
+    planes : ndarray of PLANE, optional
+        The room as `planes_around` gives it, where that is known.
 
     Raises
     ------
@@ -264,7 +267,7 @@ def placed(
         Measures that cannot be put in place.
     """
     room = scene.around
-    planes, floor = planes_around(scene.pieces, room), room_row(room)
+    planes, floor = planes_around(scene.pieces, room) if planes is None else planes, room_row(room)
     none = np.zeros(0, SPRING)
     bodies: list[Placed] = []
     for number, member in enumerate(scene.pieces):

@@ -279,8 +279,8 @@ def trace_together(
     called = names or names_of(scene, range(len(scene.pieces)))
     axes = Placement(*min(piece.at for piece in scene.pieces)[:2])
     scene = scene.along(axes) if axes != ORIGIN else scene
-    bodies = placed(scene, strength, drawn_floor, called, initial)
     planes = planes_around(scene.pieces, scene.around)
+    bodies = placed(scene, strength, drawn_floor, called, initial, planes)
     pieces, floors = [body.piece for body in bodies], [body.floor for body in bodies]
     if make_room:
         for plane in planes:
