@@ -95,9 +95,10 @@ class Trials:
             allowed = phrase("fragility.either", first=levels, second=motions)
             raise not_allowed(phrase("common.shape_of", name="im"), str(values.shape), allowed)
         of_runs = np.broadcast_to(values.reshape(len(values), -1, 1), fell.shape)
-        motion = np.indices(fell.shape)[1]
-        columns = (each.ravel() for each in (of_runs, fell, given_up, motion))
-        return cls.of_runs(measure, *columns, groups=len(values))
+        motion = np.indices(fell.shape)[1].ravel()
+        return cls.of_runs(
+            measure, of_runs.ravel(), fell.ravel(), given_up.ravel(), motion, groups=len(values)
+        )
 
     @classmethod
     def of_runs(

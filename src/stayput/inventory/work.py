@@ -104,7 +104,8 @@ def evaluate(
         return [none if row is None else next(outcomes) for row in rows]
 
     parts: list[list[Outcomes]] = [[] for _ in units]
-    going, done, precision = [*range(len(units))], 0, settings.precision
+    going: list[int] = [*range(len(units))]
+    done, precision = 0, settings.precision
     while going and done < settings.samples:
         count = settings.samples if precision is None else min(settings.samples, max(FIRST_SAMPLES, 2 * done))
         for place, outcomes in zip(going, run(going, count - done, done), strict=True):

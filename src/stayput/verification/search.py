@@ -117,7 +117,7 @@ def moves_of(
     scenario, scene, plan = runner.scenario, runner.scene(option), runner.plan(option)
     floor, hit = changes.FreeFloor(plan, scene.pieces), hits_in(runs)
     swept = [swept_in_falling(tracks) for tracks in runs.tracks.T]
-    for place in (plan.places[number] for number in np.flatnonzero(hit.any(axis=(0, 2)))):
+    for place in (plan.places[number] for number in np.flatnonzero(hit.any(axis=(0, 2))).tolist()):
         runner.advance(0)  # who has left may end it here
         others = [other for other in changes.other_places(place, floor) if _away(place, other) >= SAME]
         if others:
