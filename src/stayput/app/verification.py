@@ -235,7 +235,7 @@ def verdict_reply(verdict: Verdict) -> VerdictReply:
         _extend_option(option, result, verdict)
         if scenario.plan is not None:
             _extend_room(option, result, verdict)
-    if scenario.alone:
+    if verdict.estimates is not None:
         data["estimates"]["rows"] = _estimates(verdict)
     left_out = left_out_of_held(verdict)
     return VerdictReply.model_validate(

@@ -129,7 +129,7 @@ function look(known) {
   result = known;
   part("understand").dataset.old = "false";
   date(PARTS, false);
-  date(["fragility"], !known.complete);
+  date(["estimates", "fragility"], !known.complete);
   part("ranking-rough").hidden = known.complete;
   part("ranking-rough").textContent = t("rankingRough", { runs: eachRan(known) });
   display();
@@ -148,9 +148,10 @@ const takeMeasures = (chosen) =>
 function display() {
   verdict.show(result);
   everyday.show(result);
-  estimates.show(result);
   ranking.show(result, takeMeasures);
-  if (result.complete) fragility.show(result);
+  if (!result.complete) return;
+  estimates.show(result);
+  fragility.show(result);
 }
 
 /** Writes the words again, for another language. */
