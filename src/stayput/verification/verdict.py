@@ -273,7 +273,7 @@ class Verdict(InJson):
     seconds : float
         How long it took.
     estimates : Estimates, optional
-        Quick estimates by formulas, to stand beside those of a lone piece.
+        Quick estimates by formulas, to stand beside those of a lone piece; none before it is complete.
     levels : ndarray, shape (levels,)
         JMA intensities at which all options ran for the curves.
     precise : bool
