@@ -78,9 +78,8 @@ bench: $(STAMP)-test
 	$(BIN)/python benchmarks/building.py
 	$(BIN)/python benchmarks/devices.py
 	$(BIN)/python benchmarks/start.py
-	$(BIN)/python benchmarks/verification.py speed
+	$(BIN)/python benchmarks/verdicts.py
 	$(BIN)/python benchmarks/space.py
-	$(BIN)/python benchmarks/room.py
 
 bench-app: $(STAMP)-test
 	$(BIN)/python benchmarks/app.py $(BENCH_ARGS)

@@ -45,6 +45,11 @@ MOTIONS, DRAWS = 120, 10
 HERE, WEAK = 5.95, 5.75
 """Intensities at which falls are counted in it."""
 
+LEVELS = np.linspace(5.15, 6.95, 10)
+"""Intensities at which all of it was run; a study has those at, 0.4 below and 0.4 above `HERE`."""
+
+_OF_STUDY = slice(2, 7, 2)
+
 HEADS = {
     PROBABILITY: "probability",
     RARE: "small probability",
@@ -68,7 +73,7 @@ class Simulated:
     @property
     def levels(self) -> NDArray[np.float64]:
         """JMA intensities of the curve."""
-        return np.linspace(5.6, 6.95, 10)
+        return LEVELS[_OF_STUDY]
 
     @cached_property
     def runs(self) -> Falls:
@@ -80,18 +85,21 @@ class Simulated:
         bare, held = (rows_of(body, room, measures, drawn, 9.81) for measures in sets)
 
         def fell(intensity: float) -> NDArray[np.bool_]:
-            return run_level([bare], scaled_motions.at(intensity))[0].overturned
+            return run_level([bare], scaled_motions.at(intensity))[0].overturned.reshape(MOTIONS, DRAWS)
 
-        without, with_it = run_level([bare, held], scaled_motions.at(HERE))
-        by_level = np.stack([fell(float(level)) for level in self.levels])
-        return Falls(by_level, without.overturned, with_it.overturned, fell(WEAK))
+        without, with_it = (
+            runs.overturned.reshape(MOTIONS, DRAWS)
+            for runs in run_level([bare, held], scaled_motions.at(HERE))
+        )
+        by_level = np.stack([fell(float(level)) for level in LEVELS])
+        return Falls(by_level, without, with_it, fell(WEAK))
 
     def truth(self) -> dict[str, float]:
         """Return the true value of each of `QUANTITIES`."""
         runs = self.runs
         bare = float(runs.bare.mean())
         shares = np.maximum.accumulate(runs.by_level.mean(axis=(1, 2)))
-        capacities = (float(np.interp(share, shares, self.levels)) for share in SHARES)
+        capacities = (float(np.interp(share, shares, LEVELS)) for share in SHARES)
         change = float(runs.held.mean()) - bare
         return dict(zip(QUANTITIES, (bare, float(runs.rare.mean()), change, *capacities), strict=True))
 
@@ -105,7 +113,7 @@ class Simulated:
         draw = places(motions * samples, DRAWS).reshape(motions, samples)
         runs = self.runs
         by_level, bare, held, rare = (
-            fell[..., motion, draw] for fell in (runs.by_level, runs.bare, runs.held, runs.rare)
+            fell[..., motion, draw] for fell in (runs.by_level[_OF_STUDY], runs.bare, runs.held, runs.rare)
         )
         return Falls(by_level, bare, held, rare)
 

@@ -16,7 +16,7 @@ import xarray as xr
 
 from stayput import Suite, synthetic_suite
 from stayput.estimates import kaneko_hayashi_velocity
-from stayput.fragility.curve import fragility_curve
+from stayput.fragility.curve import FragilityCurve
 from stayput.fragility.intensity_measures import JMA_INTENSITY, PFV
 from stayput.fragility.trials import Trials
 from stayput.measures import Held
@@ -278,12 +278,12 @@ def run_baselines(rows: Sequence[Rows], scaled_motions: ScaledMotions) -> xr.Dat
         not reached, over ``row``; ``share`` that overturns, over ``row`` and ``level``.
     """
     floors_at = cache(scaled_motions.at)
-    falls, _ = run_levels(rows, LEVELS, floors_at, progress=lambda _: None)
+    falls = run_levels(rows, LEVELS, floors_at)
     medians: list[list[float]] = []
     for im in (PFV, JMA_INTENSITY):
         strength = np.stack([floors_at(float(level)).measures[im] for level in LEVELS])
         trials = [Trials.from_runs(im, strength, one.overturned, one.missing) for one in falls]
-        medians.append([fragility_curve(one).capacity(0.5).estimate for one in trials])
+        medians.append([FragilityCurve("", one).capacity(0.5).estimate for one in trials])
     shares = np.stack([one.overturned.mean(axis=(1, 2)) for one in falls])
     fields = {"velocity": ("row", medians[0]), "intensity": ("row", medians[1])}
     return xr.Dataset(fields | {"share": (("row", "level"), shares)})

@@ -16,7 +16,7 @@ import xarray as xr
 
 from stayput import Suite, TargetSpectrum, synthetic_suite
 from stayput.estimates import SCATTER, kaneko_hayashi_branch, kaneko_hayashi_median
-from stayput.fragility.curve import FragilityCurve, fragility_curve
+from stayput.fragility.curve import FragilityCurve
 from stayput.fragility.intensity_measures import IntensityMeasure
 from stayput.fragility.trials import Trials
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
@@ -144,7 +144,7 @@ def overturning(
     fell, lost = outcome == OVERTURNED_OUTCOME, outcome == FAILED_OUTCOME
     trials = Trials.from_runs(AMPLITUDE, factors, fell.T[:, :, np.newaxis], lost.T[:, :, np.newaxis])
     return BodyCapacity(
-        curve=fragility_curve(trials),
+        curve=FragilityCurve("", trials),
         shares=fell.mean(axis=0),
         first=np.where(fell.any(axis=1), factors[fell.argmax(axis=1)], np.inf),
         islands=float((np.maximum.accumulate(fell, axis=1) & ~fell).any(axis=1).mean()),
@@ -165,7 +165,7 @@ def capacity(
 
     Bodies are uniform rectangles that do not slip and stand free. Every motion is scaled to every amplitude
     (incremental dynamic analysis); a range in which a body stands above its first overturning is kept as it
-    is. The median is where half overturn, by isotonic regression of the shares over the amplitude.
+    is. The median is where half overturn, by a logit fit over the amplitude.
 
     Parameters
     ----------

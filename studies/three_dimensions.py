@@ -21,7 +21,7 @@ from stayput.measures import MEASURES
 from stayput.report.palette import INK
 from stayput.scenario.measures import Option
 from stayput.uncertainty import USUAL
-from stayput.verification.contest import Contest
+from stayput.verification.option_runner import OptionRunner
 from studies.study import COLOURS, Quantity, Study, panels
 
 if TYPE_CHECKING:
@@ -125,13 +125,14 @@ def outcomes(
     runs: list[Runs] = []
     for room, options in ROOMS:
         scenario = Scenario.parse(tables | {"room": room}).with_python(motions=suite)
-        runs += Contest(scenario, 0.1, None).run(options, 1)
+        runner = OptionRunner(scenario, 0.1, None)
+        runs += runner.run(options, runner.members)
     return {
-        "overturned": np.array([each.overturned[:, 0] for each in runs]),
-        "missing": np.array([each.missing[:, 0] for each in runs]),
-        "failed": np.array([each.device_failed[:, 0] for each in runs]),
-        "slide": np.array([each.slide[:, 0] for each in runs]),
-        "used": np.array([each.used[:, 0].max(axis=-1, initial=0.0) for each in runs]),
+        "overturned": np.array([each.overturned for each in runs]),
+        "missing": np.array([each.missing for each in runs]),
+        "failed": np.array([each.device_failed for each in runs]),
+        "slide": np.array([each.slide for each in runs]),
+        "used": np.array([each.used.max(axis=-1, initial=0.0) for each in runs]),
     }
 
 

@@ -122,10 +122,14 @@ def tested(motion: Motion, options: Sequence[Option], samples: int, seed: int) -
         [runs_of(body, ROOM, options, tuple(by_facing.values()), level, samples, seed) for level in LEVELS]
         for body in BODIES.values()
     ]
+    shape = len(BODIES), len(LEVELS), len(options), len(by_facing), samples
     fields = {"overturned": "overturned", "given_up": "missing", "peak_slide": "slide", "peak_tilt": "tilt"}
     return xr.Dataset(
         {
-            name: (over, np.array([[[getattr(r, field) for r in row] for row in rows] for rows in runs]))
+            name: (
+                over,
+                np.reshape([[[getattr(r, field) for r in row] for row in rows] for rows in runs], shape),
+            )
             for name, field in fields.items()
         },
         {

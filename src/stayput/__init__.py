@@ -8,6 +8,7 @@ __version__ = "0.1.0"
 
 
 SUCCESSORS = {
+    "fragility_curve": "FragilityCurve",
     "read_scenario": "read",
     "read_room": "read",
     "read_assembly": "read",

@@ -21,7 +21,6 @@ from .estimates import tip_over as tip_over
 from .fallen import Fallen as Fallen
 from .fallen import intensity_from_fallen as intensity_from_fallen
 from .fragility.curve import FragilityCurve as FragilityCurve
-from .fragility.curve import fragility_curve as fragility_curve
 from .fragility.trials import Trials as Trials
 from .inventory import assess as assess
 from .measures import MEASURES as MEASURES

@@ -209,7 +209,7 @@ def intensity_from_fallen(
     drawn = draws(len(suite), count, number)
     cases = [rows_of(kind.body, kind.room, (), drawn, STANDARD_GRAVITY) for kind in kinds]
     scaled_motions = ScaledMotions(suite, vertical=vertical)
-    falls, _ = run_levels(cases, rows, cache(partial(scaled_motions.at, threads=threads)), threads=threads)
+    falls = run_levels(cases, rows, cache(partial(scaled_motions.at, threads=threads)), threads=threads)
     fell = np.array([(kind.overturned & ~kind.missing).sum(axis=2) for kind in falls], np.float64)
     runs = np.array([(~kind.missing).sum(axis=2) for kind in falls], np.float64)
     return estimate_from_counts(

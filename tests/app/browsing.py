@@ -170,7 +170,7 @@ def _body(answer: Response) -> dict[str, Any]:
 def _short(route: Route) -> None:
     asked: dict[str, Any] = route.request.post_data_json
     asked["scene"]["shaking"]["suite"]["count"] = FEW
-    asked["scene"]["uncertainty"]["samples"] = FEW
+    asked["scene"].setdefault("uncertainty", {})["samples"] = FEW
     route.continue_(post_data=asked)
 
 

@@ -118,7 +118,7 @@ def made() -> dict[str, Any]:
         "jma_intensity": 6.25,
         "intensity_class": "6-upper",
         "motions": 20,
-        "samples": 2,
+        "whole": 40,
         "runs": 360,
         "seed": 1,
         "seconds": 1.5,
@@ -171,9 +171,8 @@ CHANGE = "what", "table", "measures", "drilled", "at_m", "heading_rad"
 
 def as_sent(verdict: dict[str, Any]) -> dict[str, Any]:
     """Return what a page makes of a verdict as the server sends it: an option for each change."""
-    told = {
-        key: value for key, value in verdict.items() if key not in (*PEOPLE, "pieces", "changes", "typical")
-    }
+    apart = *PEOPLE, "pieces", "changes", "typical", "whole"
+    told = {key: value for key, value in verdict.items() if key not in apart}
     people = {key: verdict[key] for key in PEOPLE if key in verdict}
     common = {
         "grade": "C",
@@ -208,6 +207,7 @@ def as_sent(verdict: dict[str, Any]) -> dict[str, Any]:
             **common,
             **clear,
             "rank": rank,
+            "runs": verdict["whole"],
             "name": "as stated" if change is None else label["en"],
             "label": label,
             "reason": reason,
@@ -281,8 +281,8 @@ class Judge:
         verdict = made()
         if not self.asked[place]["changes"]:
             verdict["changes"] = []
-        counted = {**verdict, "complete": False, "changes": []}
-        rough = {**counted, "samples": 1, "runs": 24}
+        counted = {**verdict, "complete": False}
+        rough = {**counted, "changes": [], "whole": 20, "runs": 24}
         results = {QUEUED: None, ROUGH: rough, COUNTED: counted, DONE: verdict}
         result = results[stage]
         return {

@@ -166,7 +166,7 @@ def test_a_verification_is_done_as_a_job(client: httpx.Client) -> None:
     ranks = [one["rank"] for one in verdict["options"]]
     assert (len(ranks), ranks[0], ranks) == (4, 1, sorted(ranks))
     without = next(one for one in verdict["options"] if one["name"] == "none")
-    assert without["probabilities"]["overturned"]["estimate"] == 1.0
+    assert without["probabilities"]["overturned"]["estimate"] > 0.9
     assert next(one for one in verdict["options"] if one["yours"])["measures"] == own
     for one in verdict["options"]:
         assert one["reason"]["en"]
@@ -174,7 +174,8 @@ def test_a_verification_is_done_as_a_job(client: httpx.Client) -> None:
         assert one["curve"]["observed"]
         low, share, high = (one["probabilities"]["overturned"][key] for key in ("low", "estimate", "high"))
         assert low <= share <= high
-    assert verdict["runs"] + verdict["settled_runs"] == job["done"] == job["total"]
+    assert {one["runs"] for one in verdict["options"]} == {8}  # as many as were asked for
+    assert verdict["runs"] == job["done"] == job["total"]
     text = client.get(f"/api/v1/jobs/{job['id']}/csv").content.decode("utf-8-sig")
     rows = list(csv.DictReader(io.StringIO(text)))
     assert [row["option"] for row in rows] == [one["name"] for one in verdict["options"]]

@@ -96,6 +96,7 @@ def test_the_headline_says_what_comes_out_and_how_it_is_as_people_install_it(
     with opened(browser, server, address, verify=True) as it:
         it.go("understand")
         it.wait("() => document.querySelectorAll('#also li:not(.hint)').length === 2")
+        it.wait("() => /books/.test(document.querySelector('#also').innerText)")  # after the first looks
         without, held = it.page.locator("#also li:not(.hint)").all_inner_texts()
         comes_out = re.compile(r"%\sof the books come out\.|The books stay inside\.")
         assert without.startswith("Without measures: ")

@@ -105,7 +105,7 @@ def test_back_shows_the_screen_before_on_a_phone(browser: Browser, server: Runni
 
 
 def test_care_speed_and_building_are_remembered(it: Opened) -> None:
-    it.page.select_option("#samples", "400")
+    it.page.select_option("#precision", "0.25")
     it.page.select_option("#speed", "0.25")
     it.simulated(lambda: it.page.get_by_label("In a building").check())
     it.simulated(lambda: it.page.get_by_role("slider", name="Storeys of the building").fill("14"))
@@ -114,11 +114,18 @@ def test_care_speed_and_building_are_remembered(it: Opened) -> None:
     it.kept("storeys=0")
     it.page.reload()
     it.settle()
-    assert it.page.input_value("#samples") == "400"
+    assert it.page.input_value("#precision") == "0.25"
     assert it.page.input_value("#speed") == "0.25"
     asked, _ = it.simulated(lambda: it.page.get_by_label("In a building").check())
     assert asked["scene"]["shaking"]["storey"] == 9
     assert asked["scene"]["shaking"]["building"]["storeys"] == 14
+
+
+def test_a_care_of_an_older_page_is_the_usual_one(it: Opened) -> None:
+    it.page.evaluate("localStorage.setItem('stayput-care', '400')")
+    it.page.reload()
+    it.settle()
+    assert it.page.locator("#precision option:checked").text_content() == "usual"
 
 
 @pytest.mark.parametrize(

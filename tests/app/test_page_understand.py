@@ -175,7 +175,7 @@ def test_a_first_look_has_its_headline_and_its_ranking_of_the_same_runs(
     monkeypatch.setattr(api, "verify", held)
     with opened(browser, server, verify=True) as it:
         it.page.wait_for_selector("#ranking-rough:not([hidden])", timeout=COMPILING)
-        assert "It may still change" in it.text("#ranking-rough")
+        assert "runs of each: 4. It may still change" in it.text("#ranking-rough")
         assert it.page.locator("#ranking .option").count() > 3
         assert it.page.get_attribute("#ranking", "data-old") == "false"
         bare = looks[0].without.probabilities["overturned"].text

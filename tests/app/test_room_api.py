@@ -28,7 +28,7 @@ ROOM: dict[str, Any] = {
     **ROOM_SCENE,
     "furniture": ROOM_SCENE["furniture"][:1],
     "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 2}},
-    "uncertainty": {"samples": 4},
+    "uncertainty": {"samples": 4, "seed": 2},
 }
 
 

@@ -264,7 +264,7 @@ def test_the_changes_that_help_come_first_and_the_others_are_asked_for(
 
 
 def test_runs_of_the_room_and_of_pieces_are_told_apart(it: Opened, judge: Judge) -> None:
-    assert it.text("#basis").startswith("Runs of the room: 40 = 20 earthquakes × 2, ")
+    assert it.text("#basis").startswith("Runs of the room: 40, under 20 earthquakes, ")
     assert "Runs of single pieces for that and for all changes: 360." in it.text("#basis")
 
 

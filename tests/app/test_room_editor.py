@@ -189,9 +189,9 @@ def test_chances_are_told_as_the_server_tells_them(editor: Editor) -> None:
 
 
 def test_how_many_runs_a_file_asks_for_is_one_of_the_choices(editor: Editor) -> None:
-    chosen = editor.page.locator("#samples option:checked")
-    editor.page.wait_for_function("() => document.getElementById('samples').value === '4'")
-    assert chosen.text_content() == "4 runs (as the file says)"
+    chosen = editor.page.locator("#precision option:checked")
+    editor.page.wait_for_function("() => document.getElementById('precision').value === 'own'")
+    assert chosen.text_content() == "as the file says"
 
 
 FOCUSED = """() => {

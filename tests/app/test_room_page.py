@@ -303,10 +303,10 @@ def test_the_fields_are_the_rooms(it: Opened, judge: Judge) -> None:
     assert room["room"]["walls"] == "plasterboard"
     room = after(it, judge, it.page.get_by_label("There is a ceiling").uncheck)
     assert "ceiling" not in room["room"]
-    room = after(it, judge, lambda: it.page.select_option("#samples", "20"))
-    assert room["uncertainty"]["samples"] == 20
+    room = after(it, judge, lambda: it.page.select_option("#precision", "0.25"))
+    assert room["uncertainty"] == {"precision": 0.25}
     room = after(it, judge, lambda: it.page.click("#plan-undo"))
-    assert it.page.input_value("#samples") == "40"
+    assert it.page.input_value("#precision") == ""
     after(it, judge, lambda: it.page.click("#plan-undo"))
     assert it.page.get_by_label("There is a ceiling").is_checked()
 

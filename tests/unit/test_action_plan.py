@@ -36,9 +36,9 @@ from stayput.rooms.step_words import (
 )
 from stayput.uncertainty import USUAL
 from stayput.verification.changes import Change, with_changes
-from stayput.verification.contest import Contest
+from stayput.verification.option_runner import OptionRunner
 from stayput.verification.options import inputs_of_piece
-from stayput.verification.people import Outlook
+from stayput.verification.people import PairedEstimate
 from stayput.verification.room_words import people_in, piece_name
 from stayput.verification.words import class_phrase
 
@@ -88,9 +88,9 @@ def test_the_margin_makes_up_for_the_weakest_products():
 
 
 def test_the_quantile_is_of_each_direction_and_by_rank():
-    devices = np.zeros((8, 5, 2), DEVICE)
-    devices["peak_pull"][..., 0].flat = 2.0 * np.arange(1, 41)  # of two devices alike, which share it
-    devices["peak_shear"][..., 1].flat = 2.0 * (100 - np.arange(1, 41))
+    devices = np.zeros((40, 2), DEVICE)
+    devices["peak_pull"][:, 0] = 2.0 * np.arange(1, 41)  # of two devices alike, which share it
+    devices["peak_shear"][:, 1] = 2.0 * (100 - np.arange(1, 41))
     belt = Belt(count=2).apply(sp.Body(0.3, 1.8, 100.0), sp.Room(left_wall=sp.Wall(0.02))).elements[0]
     assert belt.count == 2
     # 38 of 40 runs are 95 %: the 38th smallest pull is 38, the 38th smallest shear 97
@@ -194,7 +194,7 @@ def test_how_the_room_is_leads_on_every_card(plan: sp.ActionPlan, rented: sp.Act
 def test_chances_on_the_card_have_their_intervals(plan: sp.ActionPlan):
     """In "about 30 % (18 to 46 %) → under 17 %" the share that was has one as that which will be."""
     often, verdict = probability(np.arange(40).reshape(40, 1) < 12), plan.verdict
-    people = replace(people_in(verdict), hit=Outlook(often, None))
+    people = replace(people_in(verdict), hit=PairedEstimate(often, None))
     probabilities = {**verdict.without.probabilities, OVERTURNED: often}
     pieces = tuple(replace(one, probabilities=probabilities) for one in verdict.without.pieces)
     without = replace(verdict.without, pieces=pieces, people=people)
@@ -412,7 +412,7 @@ def test_what_is_too_weak_holds_in_the_class_that_is_named(rented: sp.ActionPlan
     for level, enough in ((fix.enough_to, True), (fix.enough_to + 0.5, False)):
         scenario = alone(intensity=level)
         option = with_changes(scenario.stated, [Change("bookcase", one) for one in measures], scenario.names)
-        purchases = purchases_of(Contest(scenario, SLIDE_LIMIT, 1), option, measures, 0)
+        purchases = purchases_of(OptionRunner(scenario, SLIDE_LIMIT, 1), option, measures, 0)
         assert all(one.enough for one in purchases) == enough
 
 

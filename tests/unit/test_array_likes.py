@@ -38,7 +38,7 @@ def test_numbers_are_taken_as_they_come(like: Any):
     trials = sp.Trials.from_counts(
         PGA, like([2.0, 4.0, 8.0]), like([4.0, 19.0, 36.0]), like([40.0, 40.0, 40.0])
     )
-    curve = sp.fragility_curve(trials)
+    curve = sp.FragilityCurve("bookcase", trials)
     assert np.array_equal(curve.probability(like([3.0, 4.0])), curve.probability([3.0, 4.0]))
     swept = sp.sweep(sp.Case(BODY, ROOM, motion), {"body.width": like([0.25, 0.5])})
     assert swept.overturned.shape == (2,)

@@ -121,8 +121,8 @@ def test_a_cart_may_move_farther_with_its_casters_locked_than_free() -> None:
     drawn, motion = draws(1, 200, seed=1), sp.near_fault().component("x")
     floor = FloorMotions((motion,), np.ones(1), {})
     rows = [rows_of(CART, EMPTY, (measure,), drawn, 9.8) for measure in (FreeCasters(), LockedCasters())]
-    free, locked = (runs.slide[0] for runs in run_level(rows, floor))
-    assert 0 < (locked > free).sum() < 20
+    free, locked = (runs.slide for runs in run_level(rows, floor))
+    assert 0 < (locked > free).sum() < 40
     assert np.median(locked) < 0.5 * np.median(free)
 
 

@@ -102,7 +102,7 @@ def test_completion_offers_measures_surfaces_and_flags(line: str, offered: str) 
     [
         ("zsh", "ja_JP.UTF-8", "この説明を表示して終了する", "揺れを調べる、変換する、作る"),
         ("fish", "ja_JP.UTF-8", "この説明を表示して終了する", "揺れを調べる、変換する、作る"),
-        ("zsh", "C.UTF-8", "Make also the runs", "Look at a motion"),
+        ("zsh", "C.UTF-8", "Any key of the scenario", "Look at a motion"),
     ],
 )
 def test_a_shell_shows_sentences_beside_flags_and_commands(

@@ -42,7 +42,7 @@ def test_json_markdown_csv_and_report_say_the_same(done):
         assert one["label"]["en"] in markdown.read_text()
         assert one["label"]["en"] in html.read_text()
     assert data["verdict"]["en"] in markdown.read_text().replace("\\", "")
-    assert data["samples"] == 6
+    assert {one["runs"] for one in data["options"]} == {6}
 
 
 def test_what_is_printed_is_the_verdict(file, done):
@@ -94,12 +94,11 @@ def test_curves_are_written_with_counts_a_figure_and_the_forms_of_loss_tools(cur
     assert {path.name for path in out.iterdir()} >= {"curves.csv", "observed.csv", "fragility.svg"}
     observed = list(csv.DictReader((out / "observed.csv").open(encoding="utf-8-sig")))
     assert {row["option"] for row in observed} == {"none", "glides"}
-    assert all(int(row["overturned"]) <= int(row["runs"]) == 6 for row in observed)
+    assert all(int(row["overturned"]) <= int(row["runs"]) <= 6 for row in observed)
     for row in csv.DictReader((out / "curves.csv").open(encoding="utf-8-sig")):
         assert float(row["pgv_m_s"]) > 0.0
         assert 0.0 <= float(row["probability"]) <= 1.0
-        # of one motion there is no band
-        assert (row["low"], row["high"], row["method"]) == ("", "", "isotonic")
+        assert row["method"] == "logit"
     assert "one motion" in result.stdout.lower()
     named = {path.name for path in out.iterdir()}
     assert all(f"Wrote {out / name}" in result.stdout for name in named)
@@ -136,7 +135,8 @@ def printed(folder: Path, scenario: str, width: int, *flags: str, command: str =
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_changes_of_a_room_are_a_list_where_their_table_would_break(tmp_path: Path, language: str) -> None:
-    narrow, wide = (printed(tmp_path, BEDROOM, width, "--lang", language) for width in (80, 400))
+    more = "--lang", language, "--set", "uncertainty.samples=4"  # in which somebody is hit
+    narrow, wide = (printed(tmp_path, BEDROOM, width, *more) for width in (80, 400))
     heading = say("room_report.changed_shut_in", language)
     assert "".join(narrow.split()).count("".join(heading.split())) == 3  # beside each value
     assert wide.count(heading) == 1

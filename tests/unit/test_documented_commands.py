@@ -69,11 +69,11 @@ SERVES = [["app"]]
 WRITES = ("--plot", "--animate", "--report", "--out")
 
 FEWER = {
-    "bookcase.toml": {"count = 20": "count = 6", "samples = 40": "samples = 6"},
-    "bedroom.toml": {"count = 20": "count = 6", "samples = 40": "samples = 6"},
+    "bookcase.toml": {"count = 40": "count = 6", "[shaking]": "[uncertainty]\nsamples = 6\n[shaking]"},
+    "bedroom.toml": {"count = 20": "count = 6", "[shaking]": "[uncertainty]\nsamples = 6\n[shaking]"},
     "kitchen.toml": {
         'intensity = "6-lower"': 'intensity = "6-lower"\nsuite = { count = 6 }',
-        "samples = 200": "samples = 6",
+        "[uncertainty]": "[uncertainty]\nsamples = 6",
     },
 }
 """Fewer runs of the examples: as they are, the bookcase takes four seconds and the kitchen thirty."""

@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 from stayput.cli import app
 from stayput.errors import InputWarning
-from stayput.fragility.curve import fragility_curve
+from stayput.fragility.curve import FragilityCurve
 from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.fragility.trials import Trials
 from stayput.report import figures
@@ -35,7 +35,7 @@ def bare_machine(monkeypatch):
 
 def curve(name):
     trials = Trials.from_counts(JMA_INTENSITY, [5.0, 5.5, 6.0, 6.5], [2, 15, 33, 39], [40] * 4)
-    return fragility_curve(trials, name)
+    return FragilityCurve(name, trials)
 
 
 def test_what_the_own_font_has_is_drawn_with_it_alone():

@@ -7,7 +7,7 @@ import pytest
 
 from stayput import InputError
 from stayput.fragility.paired import difference, score_interval
-from stayput.fragility.probabilities import probability, samples_needed, wilson
+from stayput.fragility.probabilities import probability, wilson
 
 
 def test_wilson_of_published_counts() -> None:
@@ -122,27 +122,6 @@ def test_pairs_with_a_given_up_run_do_not_count() -> None:
     assert difference(first, second, np.ones((10, 2), bool)).text == "unknown (no pair of runs)"
 
 
-def test_planned_samples_reach_the_half_width() -> None:
-    rng = np.random.default_rng(9)
-    first = probability(_falls(rng, 200, 4, -0.5, 0.2))
-    asked = 0.9 * first.half_width
-    samples = samples_needed(first, asked)
-    assert samples > 4
-    later = probability(_falls(rng, 200, samples, -0.5, 0.2))
-    assert later.half_width == pytest.approx(asked, rel=0.15)
-
-
-def test_samples_of_motions_that_decide_alone_do_not_help() -> None:
-    found = probability(np.repeat(np.arange(40).reshape(40, 1) < 20, 16, axis=1))
-    assert samples_needed(found, 0.05) == 0
-    assert 0 < samples_needed(found, 0.2) <= 16
-
-
-def test_plan_of_one_motion_counts_its_runs() -> None:
-    found = probability(np.arange(100).reshape(1, 100) < 50)
-    assert samples_needed(found, 0.05) == pytest.approx(0.25 * (1.984 / 0.05) ** 2, rel=0.02)
-
-
 @pytest.mark.parametrize(
     ("call", "part"),
     [
@@ -151,7 +130,6 @@ def test_plan_of_one_motion_counts_its_runs() -> None:
         (lambda: probability(np.zeros((0, 3), bool)), r"\(0, 3\)"),
         (lambda: probability(np.zeros((3, 4), bool), np.zeros((3, 3), bool)), r"\(3, 3\)"),
         (lambda: difference(np.zeros((3, 4), bool), np.zeros((3, 5), bool)), r"\(3, 5\)"),
-        (lambda: samples_needed(probability(np.zeros((3, 4), bool)), 0.9), "0.9"),
     ],
 )
 def test_refused(call: object, part: str) -> None:

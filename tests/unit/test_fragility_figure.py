@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from stayput import InputError
-from stayput.fragility.curve import FragilityCurve, fragility_curve
+from stayput.fragility.curve import FragilityCurve
 from stayput.fragility.intensity_measures import JMA_INTENSITY, PGV, IntensityMeasure
 from stayput.fragility.trials import Trials
 from stayput.report.fragility import plot_fragility
@@ -20,10 +20,10 @@ def _curve(
     name: str, fell: list[int], measure: IntensityMeasure = JMA_INTENSITY, first: float = 5.0
 ) -> FragilityCurve:
     im = [first + 0.5 * place for place in range(len(fell))]
-    return fragility_curve(Trials.from_counts(measure, im, fell, [40] * len(fell)), name)
+    return FragilityCurve(name, Trials.from_counts(measure, im, fell, [40] * len(fell)))
 
 
-def test_curves_and_what_has_none_are_drawn(tmp_path: Path) -> None:
+def test_curves_with_and_without_a_median_are_drawn(tmp_path: Path) -> None:
     curves = [_curve("bare", [2, 15, 33, 39]), _curve("bracket", [0, 0, 0, 0])]
     path = tmp_path / "curves.png"
     figure = plot_fragility(curves, path, here=6.25, title="Bookcase", subtitle="40 runs a level")
@@ -31,7 +31,7 @@ def test_curves_and_what_has_none_are_drawn(tmp_path: Path) -> None:
     (axis,) = figure.axes
     told = [text.get_text() for text in figure.legends[0].get_texts()]
     assert told[0].startswith("bare (half fall: 5.6")
-    assert told[1] == "bracket: none fell (half fall: > 6.50)"
+    assert told[1] == "bracket (half fall: > 7.00)"
     assert told[2] == "this shaking: 6.25"
     assert len(axis.collections) >= 3  # a band, and bars of both
     assert {"5-upper", "6-lower", "6-upper"} <= {text.get_text() for text in axis.texts}
@@ -55,7 +55,7 @@ def test_a_peak_has_its_unit_and_a_logarithmic_axis() -> None:
 
 
 @pytest.mark.parametrize("fell", [[3], [0, 0, 40, 40], [30, 20, 10, 5], [40, 40]])
-def test_every_state_can_be_drawn(fell: list[int]) -> None:
+def test_whatever_fell_can_be_drawn(fell: list[int]) -> None:
     plot_fragility([_curve("x", fell)])
 
 

@@ -81,7 +81,7 @@ def test_what_is_said_of_gypsum_board_is_what_the_bracket_holds():
 def test_installed_well_is_the_default_and_costs_nothing(usual):
     well = verdict_of()
     assert all(result.installed is None for result in well.options)
-    assert usual.runs == well.runs + 2 * well.motions * well.samples
+    assert usual.runs == well.runs + 2 * well.without.runs
     for name, result in by_name(well).items():
         assert by_name(usual)[name].probabilities == result.probabilities
     assert verdict_of(0.0).runs == well.runs
@@ -119,7 +119,7 @@ def test_every_form_of_the_verdict_says_it(usual):
     assert "を実際の取付けのとおりとすると、" in usual.sentence("ja")
     assert clause in verdict_markdown(usual).replace("\\", "")
     assert clause in report_html(usual, "en")
-    assert "（23%が" in verdict_markdown(usual, "ja")
+    assert "23%が取付け不良" in verdict_markdown(usual, "ja")
     data = {one["name"]: one for one in json.loads(usual.to_json())["options"]}
     told = data["l_bracket"]["as_installed"]
     assert told["badly_share"] == FAULTY

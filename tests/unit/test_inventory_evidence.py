@@ -17,7 +17,7 @@ from stayput.inventory.results import Finding, choose, finding_of, least_motions
 from stayput.inventory.store import record_type
 from stayput.inventory.summary import READ, Total
 from stayput.inventory.work import fill_record
-from stayput.montecarlo.counting import EVENTS, Outcomes
+from stayput.montecarlo.counting import EVENTS, Members, Outcomes
 
 
 def test_costs_choose_what_is_worth_them():
@@ -33,6 +33,11 @@ def test_costs_choose_what_is_worth_them():
     assert choose(worse, sizes, [100.0, 1000.0], None).best == 0
 
 
+def of_runs(*columns):
+    """Outcomes of columns of shape (motions, samples)."""
+    return Outcomes(Members.of_samples(*columns[0].shape), *(column.ravel() for column in columns))
+
+
 def chances(*rows, motions=100, samples=10):
     """Records of options by the shares of the runs in which each of `EVENTS` happens, the same first ones."""
     records = np.zeros(len(rows), record_type(motions, samples))
@@ -40,7 +45,7 @@ def chances(*rows, motions=100, samples=10):
     for number, row in enumerate(rows):
         overturned, slid, hit_wall, failed = (place < share - 1e-9 for share in row)
         given_up = np.full(place.shape, math.isnan(row[0]))
-        outcomes = Outcomes(overturned, given_up, hit_wall, failed, 1.0 * slid, 0.0 * place)
+        outcomes = of_runs(overturned, given_up, hit_wall, failed, 1.0 * slid, 0.0 * place)
         fill_record(records[number : number + 1], outcomes, slide_limit=0.1)
     return records
 
@@ -79,7 +84,7 @@ def test_a_measure_without_a_change_run_by_run_is_not_best():
     fell, no, still = np.array([[1], [1], [0], [0]], bool), np.zeros((4, 1), bool), np.zeros((4, 1))
     records = np.zeros(2, record_type(4, 1))
     for place, slid in enumerate(([0, 1, 1, 1], [0, 0, 1, 1])):  # one that slid also fell
-        outcomes = Outcomes(fell, no, no, no, np.array(slid, float)[:, None], still)
+        outcomes = of_runs(fell, no, no, no, np.array(slid, float)[:, None], still)
         fill_record(records[place : place + 1], outcomes, slide_limit=0.1)
     choice = choose(records, [0, 1], None, None)
     assert (choice.best, choice.event, choice.change) == (0, None, None)
@@ -93,7 +98,7 @@ def test_a_difference_is_that_of_a_verification_run_by_run():
     no, still = np.zeros((30, 9), bool), np.zeros((30, 9))
     records = np.zeros(2, record_type(32, 20))  # another scenario has more
     for place, fell in enumerate((bare, held)):
-        outcomes = Outcomes(fell, given_up, no, no, 1.0 * slid, still)
+        outcomes = of_runs(fell, given_up, no, no, 1.0 * slid, still)
         fill_record(records[place : place + 1], outcomes, slide_limit=0.1)
     choice = choose(records, [0, 1], None, None)
     assert (choice.event, choice.change) == (
@@ -115,12 +120,12 @@ def test_measures_that_do_nothing_are_seldom_said_to_help(falls, slides):
         for place in range(1 + sets):
             fell, slid = rng.random((2, *shape)) + 0.4 * of_motion < [[[falls]], [[slides]]]
             no = np.zeros(shape, bool)
-            fill_record(records[place : place + 1], Outcomes(fell, no, no, no, 1.0 * slid, 0.0 * slid), 0.1)
+            fill_record(records[place : place + 1], of_runs(fell, no, no, no, 1.0 * slid, 0.0 * slid), 0.1)
         choice = choose(records, [0] + [1] * sets, [1.0] * sets, None)
         seeming += choice.change is not None
         helped += finding_of(row_of(records), choice) == Finding.HELPED
         by_cost += choice.by_cost > 0
-        fill_record(records[-1:], Outcomes(no, no, no, no, 0.0 * slid, 0.0 * slid), 0.1)
+        fill_record(records[-1:], of_runs(no, no, no, no, 0.0 * slid, 0.0 * slid), 0.1)
         choice = choose(records, [0] + [1] * sets, None, None)
         strong += (choice.best, finding_of(row_of(records), choice)) == (sets, Finding.HELPED)
     assert seeming > 0.8 * rows

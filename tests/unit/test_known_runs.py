@@ -12,7 +12,7 @@ from planned_room import ROOM
 
 import stayput as sp
 from stayput.fragility.intensity_measures import JMA_INTENSITY
-from stayput.montecarlo import scenes
+from stayput.montecarlo import library
 from stayput.report.verdict.exports import write_curves
 
 if TYPE_CHECKING:
@@ -39,13 +39,13 @@ def verified(scenario: sp.Scenario, **settings: Any) -> sp.Verdict:
 
 def test_a_plan_makes_no_run_again_that_the_verdict_rests_on(monkeypatch):
     """An equal scenario that is another object has no runs yet: its plan makes them all, and is the same."""
-    made, traced = list[sp.Scene](), scenes.trace_draw
+    made, traced = list[sp.Scene](), library.trace_draw
 
     def noted(scene: sp.Scene, *given: Any, **rest: Any) -> Any:
         made.append(scene)
         return traced(scene, *given, **rest)
 
-    monkeypatch.setattr(scenes, "trace_draw", noted)
+    monkeypatch.setattr(library, "trace_draw", noted)
     verdict = sp.verify(alone(), progress=False)
     of_verdict = len(made)
     plan = sp.action_plan(verdict, progress=False)

@@ -12,7 +12,7 @@ import pytest
 import stayput as sp
 from stayput.measures import LBracket
 from stayput.measures.floor import OtherFriction
-from stayput.montecarlo.scene_draws import draws_of_several
+from stayput.montecarlo.scene_draws import SceneDraws
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -161,9 +161,10 @@ def test_python_objects_in_the_place_of_tables(
 
 
 def test_own_quantities_are_drawn_for_every_piece() -> None:
-    quantities = own_quantities(sp.Scenario.parse(scene("three", {}))).uncertainty.quantities
-    drawn = draws_of_several(2, 1, 4, seed=1, quantities=quantities)
-    assert all(2.0 <= piece.mass <= 2.1 for draw in drawn[0] for piece in draw.pieces)
+    draws = SceneDraws(own_quantities(sp.Scenario.parse(scene("three", {}))), 1)
+    streams = draws.streams(range(3))
+    drawn = [draws.draw(0, number, streams) for number in range(4)]
+    assert all(2.0 <= piece.mass <= 2.1 for draw in drawn for piece in draw.pieces)
 
 
 @pytest.mark.parametrize("kind", SCENES)

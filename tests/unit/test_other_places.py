@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
 from test_rooms import changed
 
-from stayput.model.floor_plan import FACING
-from stayput.simulation.groups import outline_of
+from stayput.model.floor_plan import FACING, PersonPlace
+from stayput.simulation.groups import at_rest, outline_of
 from stayput.verification.changes import FreeFloor, other_places, overlap, passages, places_at_walls
+from stayput.verification.events import ENTERS_BY
+from stayput.verification.search import reached, swept_in_falling, turned_rectangles
 
 
 def test_a_large_room_is_searched_in_as_many_steps_as_a_smaller_one():
@@ -72,3 +75,28 @@ def test_a_passage_stays_along_a_long_side_of_each_bed():
     # where there is none now, with 0.4 m on either side, none is taken away
     narrow = FreeFloor(replace(plan, length=1.8, doors=(), places=(replace(bed, at=(1.4, 0.9)),)), ())
     assert narrow.fits(beside - [0.0, 0.8], height=1.0)
+
+
+def test_rectangles_turn_with_the_piece():
+    rectangles = np.array([[[0.1, -0.4], [0.9, 0.4]], [[np.nan, np.nan], [np.nan, np.nan]]])
+    quarter, eighth = (turned_rectangles(rectangles, angle) for angle in (math.pi / 2.0, math.pi / 4.0))
+    np.testing.assert_allclose(quarter[0], [[-0.4, 0.1], [0.4, 0.9]], atol=1e-12)
+    root = math.sqrt(0.5)
+    np.testing.assert_allclose(eighth[0], [[-0.3 * root, -0.3 * root], [1.3 * root, 1.3 * root]], atol=1e-12)
+    assert np.isnan(quarter[1]).all()
+
+
+def test_a_rectangle_reaches_a_place_from_where_falling_pieces_hit_it():
+    bed = PersonPlace("bed", (2.0, 1.0), 1.0, 2.0, 0.4, 0.7)  # x from 1.5 to 2.5 m, y from 0 to 2 m
+    ends = [1.5 + ENTERS_BY - 1e-6, 1.5 + ENTERS_BY + 1e-6, np.nan]
+    swept = np.array([[[0.2, 0.5], [end, 1.5]] for end in ends])
+    assert reached(swept, [bed]).tolist() == [[False], [True], [False]]
+    assert reached(swept, []).shape == (3, 0)
+
+
+def test_what_does_not_fall_sweeps_nothing():
+    standing = at_rest(changed().scene().pieces[0])
+    falls = replace(standing, falls=np.ones(1, np.bool_))
+    swept = swept_in_falling([standing, falls])
+    assert np.isnan(swept[0]).all()
+    np.testing.assert_array_equal(swept[1], standing.span[:, :2])

@@ -8,6 +8,7 @@ import stayput as sp
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESTED, RESULT
 from stayput.mechanics.devices.columns import DEVICE
 from stayput.model.floor_plan import FloorPlan, PersonPlace
+from stayput.montecarlo.counting import Members
 from stayput.montecarlo.runs import Runs
 from stayput.report.room.report import room_html
 from stayput.verification.people import CRUSHING_ENERGY, people_of
@@ -18,29 +19,30 @@ PIECES = [("bookcase", 90.0), ("fridge", 70.0), ("lamp", 3.0), ("chest", 40.0)]
 @pytest.fixture
 def runs():
     """Ten runs: a bookcase falls on the bed in 4, a lamp in 2, a fridge nudges it in all."""
-    fell = np.zeros((10, 1, 4), np.bool_)
-    fell[:4, 0, 0] = fell[4:6, 0, 2] = fell[:9, 0, 3] = True
-    energy = np.full((10, 1, 1, 4), np.nan)
-    energy[:4, 0, 0, 0], energy[:, 0, 0, 1], energy[4:6, 0, 0, 2] = 1400.0, 25.0, 0.9 * CRUSHING_ENERGY
-    results = np.zeros((10, 1, 4), RESULT)
+    fell = np.zeros((10, 4), np.bool_)
+    fell[:4, 0] = fell[4:6, 2] = fell[:9, 3] = True
+    energy = np.full((10, 1, 4), np.nan)
+    energy[:4, 0, 0], energy[:, 0, 1], energy[4:6, 0, 2] = 1400.0, 25.0, 0.9 * CRUSHING_ENERGY
+    results = np.zeros((10, 4), RESULT)
     results["outcome"] = np.where(fell, OVERTURNED_OUTCOME, RESTED)
-    no, zero = np.zeros((10, 1), np.bool_), np.zeros((10, 1))
+    no, zero = np.zeros(10, np.bool_), np.zeros(10)
     falls = np.array([1.0, 0.0, 1.0, 1.0])
     return Runs(
-        overturned=fell.any(axis=2),
+        Members.of_samples(10, 1),
+        overturned=fell.any(axis=1),
         missing=no,
         hit_wall=no,
         device_failed=no,
         slide=zero,
         tilt=zero,
-        devices=np.zeros((10, 1, 0), DEVICE),
-        used=np.zeros((10, 1, 0)),
+        devices=np.zeros((10, 0), DEVICE),
+        used=np.zeros((10, 0)),
         masses=1.0 + zero,
         results=results,
         hits=np.stack([energy * 0.0, energy * 0.0 + 0.6, energy, energy * 0.0 + falls], axis=-1),
-        blocked=np.zeros((10, 1, 0), np.bool_),
-        shut_in=np.zeros((10, 1, 1), np.bool_),
-        tracks=np.empty((10, 1, 0), object),
+        blocked=np.zeros((10, 0), np.bool_),
+        shut_in=np.zeros((10, 1), np.bool_),
+        tracks=np.empty((10, 0), object),
     )
 
 

@@ -27,7 +27,7 @@ ROOM = sp.Room(sp.Floor.of("carpet"), left_wall=sp.Wall(0.02), ceiling=sp.Ceilin
 MOTION = sp.near_fault()
 SUITE = sp.synthetic_suite("crustal", 3)
 BUILDING = sp.Building(5, "RC")
-CURVE = sp.fragility_curve(sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40]), "bookcase")
+CURVE = sp.FragilityCurve("bookcase", sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40]))
 
 
 @pytest.fixture(scope="module")
@@ -94,10 +94,10 @@ def test_curves_on_one_axes_differ_and_share_the_legend(ax: Axes):
     colours = {line.get_color() for line in ax.lines if len(line.get_xdata()) > 100}
     assert len(colours) == 2
     texts = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert texts[0].startswith("bookcase (half fall: 4.17")
+    assert texts[0].startswith("bookcase (half fall: 4.08")
     assert texts[1] == "again"
     with pytest.raises(sp.InputError, match="JMA"):
-        sp.fragility_curve(sp.Trials.from_counts(JMA_INTENSITY, [5.0, 6.0], [4, 19], [40, 40]), "other").plot(
+        sp.FragilityCurve("other", sp.Trials.from_counts(JMA_INTENSITY, [5.0, 6.0], [4, 19], [40, 40])).plot(
             ax
         )
 
@@ -181,7 +181,7 @@ HOSTILE = r"C:\new $x\y$ station, 50$ % 60$"
 def test_dollars_in_names_are_no_mathematics():
     motion = sp.Motion(0.01, MOTION.x, name=HOSTILE)
     run = sp.simulate(BODY, ROOM, motion)
-    curve = sp.fragility_curve(CURVE.trials, HOSTILE)
+    curve = sp.FragilityCurve(HOSTILE, CURVE.trials)
     shown = (run, motion, curve, sp.Suite((motion,), HOSTILE), falling())
     assert all("data:image/png" in one._repr_html_() for one in shown)
     for figure in (run.figure(HOSTILE), motion.figure(HOSTILE), falling().named([HOSTILE]).figure(HOSTILE)):

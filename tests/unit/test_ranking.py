@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from functools import partial
-from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,7 +13,7 @@ from verdict_cases import SCENARIO, made, option, shares
 from stayput.fragility.paired import difference
 from stayput.fragility.probabilities import probability
 from stayput.measures import Belt, LBracket, TensionPole
-from stayput.montecarlo.counting import Quantiles
+from stayput.montecarlo.counting import Members, Outcomes, Quantiles
 from stayput.verification.contents import ContentsVerdict
 from stayput.verification.ranking import in_order, ranks_of
 from stayput.verification.words import headline, reason
@@ -27,18 +25,22 @@ MEASURES = {"belt": (Belt(),), "l_bracket": (LBracket(),), "tension_pole": (Tens
 
 
 def happened(count: int) -> Any:
-    """Return that it happened in the first runs of 20 motions."""
+    """Return that it happened in the first runs of 20 motions, one of each."""
     return np.arange(20)[:, np.newaxis] < count
 
 
 def ranked(**counts: tuple[int, int, int]) -> dict[str, int]:
     """Return the ranks of options by how often of 20 they fall, slide and let an item out; in their order."""
+    nothing = happened(0).ravel()
     runs = [
-        SimpleNamespace(
-            overturned=happened(fell),
-            missing=happened(0),
-            hits=None,
-            moved=partial(lambda far, _: happened(far), max(fell, slid)),
+        Outcomes(
+            Members.of_samples(20, 1),
+            overturned=happened(fell).ravel(),
+            missing=nothing,
+            hit_wall=nothing,
+            device_failed=nothing,
+            slide=happened(slid).ravel().astype(float),
+            tilt=np.zeros(20),
         )
         for fell, slid, _ in counts.values()
     ]

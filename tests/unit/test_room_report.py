@@ -26,7 +26,7 @@ from stayput.simulation.space_fate import Stability
 from stayput.verification import Verdict
 from stayput.verification.changes import Change, with_changes
 from stayput.verification.events import CELL, Zones
-from stayput.verification.people import DoorVerdict, HitVerdict, Outlook, People, PlaceVerdict
+from stayput.verification.people import DoorVerdict, HitVerdict, PairedEstimate, People, PlaceVerdict
 from stayput.verification.room_words import (
     best_sentence,
     people_in,
@@ -105,11 +105,12 @@ def made(**changed):
         for n, place in enumerate(plan.places)
     )
     doors = tuple(DoorVerdict(door, next(left), n == 1) for n, door in enumerate(plan.doors))
-    outlooks = (Outlook(chance, None) for chance in (NEVER, hit, NEVER, shut_in, NEVER))
+    outlooks = (PairedEstimate(chance, None) for chance in (NEVER, hit, NEVER, shut_in, NEVER))
     people = People(*outlooks, 0.317, 45.6, places, doors)
     bare = OptionVerdict(
         option=scenario.stated,
         rank=3,
+        runs=MOTIONS * SAMPLES,
         probabilities=pieces[0].probabilities,
         change=None,
         slide=pieces[0].slide,
@@ -127,7 +128,7 @@ def made(**changed):
     same = difference(some, some)
 
     def option(n, change, after):
-        hits = Outlook(chance[n], difference(after, bare_runs)), Outlook(chance[5 + n], same)
+        hits = PairedEstimate(chance[n], difference(after, bare_runs)), PairedEstimate(chance[5 + n], same)
         return replace(
             bare,
             option=with_changes(scenario.stated, [change], names),
@@ -142,7 +143,7 @@ def made(**changed):
             people=replace(
                 people,
                 **dict(zip(("hit", "shut_in"), hits, strict=True)),
-                blocked=Outlook(NEVER, same),
+                blocked=PairedEstimate(NEVER, same),
                 risk=0.21 + 0.01 * n,
             ),
         )
@@ -154,7 +155,6 @@ def made(**changed):
         options=(*others, bare),
         complete=True,
         motions=MOTIONS,
-        samples=SAMPLES,
         runs=4321,
         slide_limit=0.15,
         seed=77,
@@ -310,7 +310,7 @@ def test_changes_that_share_a_rank_are_told_as_ties(language):
 
 def test_where_nobody_was_hit_the_hours_count_too():
     """Nobody can be hit more often than somebody is there."""
-    verdict = with_people(made(), hit=Outlook(NEVER, None), risk=0.0)
+    verdict = with_people(made(), hit=PairedEstimate(NEVER, None), risk=0.0)
     text = room_html(verdict)
     (share,) = re.findall(r"counting the hours[^<]*</dt><dd><span[^>]*>([^<]*)", text)
     there = max((16.0 * one.place.day + 8.0 * one.place.night) / 24.0 for one in people_in(verdict).places)
@@ -356,7 +356,7 @@ def test_a_door_that_is_blocked_at_rest_is_marked(page):
 def test_runs_that_were_given_up_are_told(page):
     verdict, language, text = page
     given_up = shares(0.1, 3)
-    missing = with_people(verdict, hit=Outlook(probability(shares(0.5, 4), given_up), None))
+    missing = with_people(verdict, hit=PairedEstimate(probability(shares(0.5, 4), given_up), None))
     note = say("room_report.missing", language, missing=int(given_up.sum()), all=MOTIONS * SAMPLES)
     assert note in Page(room_html(missing, language)).words
     assert 'class="note"' not in text

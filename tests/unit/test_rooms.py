@@ -17,13 +17,13 @@ from stayput.fragility.paired import Difference
 from stayput.fragility.probabilities import probability
 from stayput.measures import LBracket
 from stayput.model.floor_plan import FACING
-from stayput.montecarlo.counting import SLIDE_LIMIT
-from stayput.montecarlo.scene_draws import DrawOfSeveral, drawn_shaking
+from stayput.montecarlo.counting import SLIDE_LIMIT, Members
+from stayput.montecarlo.scene_draws import SceneDraw, drawn_shaking
 from stayput.report.room.report import room_markdown, simulations_of_room
 from stayput.report.verdict.data import verdict_data
 from stayput.simulation.groups import groups_at_first
 from stayput.verification.changes import Change, loose_pieces, refuse_unheld, with_changes
-from stayput.verification.contest import Contest
+from stayput.verification.option_runner import OptionRunner
 from stayput.verification.options import TRIED_ALONE
 from stayput.verification.room_words import (
     best_sentence,
@@ -168,7 +168,8 @@ def test_the_verdict_hangs_together(verdict: Verdict):
     assert bookcase.zones is not None
     covers = bookcase.zones.fell + bookcase.zones.stood
     assert 0.24 * 0.9 < covers.sum() * 0.05**2 < 1.8 * 0.8 * 1.2
-    assert verdict.runs == len(verdict.options) * 6
+    assert {option.runs for option in verdict.options} == {6}
+    assert verdict.runs >= 3 * 6  # of each kind without anything
 
 
 def test_changes_are_compared_run_by_run_and_what_is_clear_ranks_first(verdict: Verdict):
@@ -237,7 +238,9 @@ def test_where_a_change_moves_something_it_is_as_if_it_stood_there(verdict: Verd
 def test_the_verdict_is_told_as_it_gets_better_and_ends_the_same_for_any_number_of_threads(verdict: Verdict):
     told: list[Verdict] = []
     last = sp.verify(changed(), progress=False, threads=3, on_verdict=told.append)
-    assert [len(one.others) for one in told if one.others] == list(range(1, len(last.others) + 1))
+    compared = [len(one.others) for one in told]  # the room as it is, and then with its changes too
+    assert compared == sorted(compared)
+    assert (compared[0], compared[-1]) == (0, len(last.others))
     assert not any(one.complete for one in told)
     assert last.complete
     for one, other in zip(last.without.pieces, verdict.without.pieces, strict=True):
@@ -280,7 +283,8 @@ def test_a_room_without_doors_and_places_is_verified_in_several_blocks():
     empty = sp.verify(
         changed(doors=[], places=[], shaking=shaking, uncertainty={"samples": 24}), progress=False
     )
-    assert (empty.motions, empty.samples, empty.complete) == (2, 12, True)
+    assert (empty.motions, empty.complete) == (2, True)
+    assert {one.runs for one in empty} == {24}
     people = people_in(empty)
     assert people.places == people.doors == ()
     assert people.hit.chance.estimate == people.risk == people.harm == 0.0
@@ -306,7 +310,7 @@ def test_a_room_is_simulated_with_all_its_pieces_together():
 
 def test_a_room_is_simulated_under_a_motion_of_its_direction():
     plain, pointing = changed().motion(), changed(direction=0.7).motion()
-    shaking = drawn_shaking(plain, 1.0, DrawOfSeveral((), 1.0, 1.0, direction=0.7), 9.8)
+    shaking = drawn_shaking(plain, 1.0, SceneDraw((), 1.0, 1.0, direction=0.7), 9.8)
     assert plain.y is not None
     assert np.allclose(pointing.x, shaking.acceleration[:, 0])
     assert np.allclose(pointing.y, shaking.acceleration[:, 1])
@@ -327,12 +331,12 @@ def test_a_room_is_simulated_under_a_motion_of_its_direction():
 )
 def test_nothing_is_screwed_to_a_window_or_a_wall_too_far_away(openings: dict[str, Any], kinds: set[str]):
     room = changed(places=[], **openings)
-    contest = Contest(room, SLIDE_LIMIT, 1)
+    runner = OptionRunner(room, SLIDE_LIMIT, 1)
     possible: set[str] = set()
     for kind in TRIED_ALONE:
         option = with_changes(room.stated, [Change("bookcase", sp.MEASURES[kind]())], room.names)
         with suppress(sp.InputError):
-            refuse_unheld(contest.scene(option), 0)
+            refuse_unheld(runner.scene(option), 0)
             possible.add(kind)
     assert {"l_bracket", "belt"} & possible == kinds
 
@@ -349,7 +353,7 @@ def test_a_verdict_of_one_motion_says_so():
     assert "runs of this one motion the bookcase falls on" in english
     assert "earthquakes" not in english
     assert japanese.startswith("震度6強の揺れでは、この1つの地震動による計算")
-    assert "this one motion × 4 Monte Carlo samples" in simulations_of_room(alone, "en")
+    assert "under this one motion: 4 as it is and with each change" in simulations_of_room(alone, "en")
     assert "in these runs nobody is hit; somebody may be in under " in quiet.sentence()
     assert "人に当たる家具はありません（この1つの地震動による計算の" in quiet.sentence("ja")
 
@@ -357,7 +361,7 @@ def test_a_verdict_of_one_motion_says_so():
 def test_a_verdict_of_one_record_is_not_of_earthquakes(tmp_path: Path):
     sp.near_fault().write(tmp_path / "own.csv")
     shaking = {"record": "own.csv", "intensity": "7"}
-    tables = {"furniture": piece(name="Bookcase 2"), "shaking": shaking, "uncertainty": {"samples": 4}}
+    tables = {"furniture": piece(name="Bookcase 2"), "shaking": shaking, "uncertainty": {"samples": 16}}
     alone = sp.verify(sp.Scenario.parse({**BEDROOM, **tables}, tmp_path), progress=False)
     english, japanese = (alone.sentence(language) for language in LANGUAGES)
     assert "runs of this record bookcase 2 falls on whoever is in bed" in english
@@ -451,9 +455,10 @@ def test_a_group_runs_once_for_all_options_that_leave_it_as_it_is():
         uncertainty={"samples": 4},
     )
     option = with_changes(room.stated, [Change("bookcase", LBracket())], room.names)
-    together, alone = Contest(room, SLIDE_LIMIT, 3), Contest(room, SLIDE_LIMIT, 1)
-    bare, held = together.run([room.stated, option], 2, keep=True)
-    (by_itself,) = alone.run([option], 2)
+    together, alone = OptionRunner(room, SLIDE_LIMIT, 3), OptionRunner(room, SLIDE_LIMIT, 1)
+    members = Members.of_samples(2, 2)
+    bare, held = together.run([room.stated, option], members, keep=True)
+    (by_itself,) = alone.run([option], members)
     assert np.array_equal(held.results, by_itself.results)
     assert held.devices.tobytes() == by_itself.devices.tobytes()  # whose times of failure are NaN
     chests = zip(held.tracks[..., 1].ravel(), bare.tracks[..., 1].ravel(), strict=True)
@@ -471,7 +476,7 @@ def test_pieces_that_meet_run_together_and_what_stands_apart_changes_no_bit():
     chest = {"name": "chest", "preset": "chest", "at": [1.3, 1.9]}
     far = {"name": "far", "preset": "chest", "against": "right_wall", "along": 0.6}
     results = [
-        Contest(room, SLIDE_LIMIT, 1).run([room.stated], 1)[0].results
+        OptionRunner(room, SLIDE_LIMIT, 1).run([room.stated], Members.of_samples(2, 1))[0].results
         for room in (
             changed(furniture=furniture, **tables)
             for furniture in (piece(), [*piece(), far], [*piece(), chest], [*piece(), chest, far])

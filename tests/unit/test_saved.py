@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 BODY = sp.Body(0.3, 1.8, 90.0, length=0.9)
 ROOM = sp.Room(sp.Floor.of("carpet"), left_wall=sp.Wall(0.02), ceiling=sp.Ceiling(2.4))
 MOTION = sp.near_fault()
-CURVE = sp.fragility_curve(sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40]), "本棚")
+CURVE = sp.FragilityCurve("本棚", sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40]))
 
 
 def same(one: Any, other: Any) -> bool:
@@ -98,7 +98,7 @@ def test_a_verdict_comes_back_and_goes_on(how: dict[str, Any], tmp_path: Path):
     assert same(found, again)
     assert again.to_json() == found.to_json()
     assert again.sentence("ja") == found.sentence("ja")
-    repeated = sp.verify(again.scenario, levels=[], progress=False)
+    repeated = sp.verify(again.scenario, levels=how.get("levels"), progress=False)
     assert [one.probabilities for one in repeated.options] == [one.probabilities for one in found.options]
 
 

@@ -14,7 +14,7 @@ from real_records import MOTIONS, recorded
 from stayput.measures import MEASURES
 from stayput.scenario import Scenario
 from stayput.simulation.case import Case
-from stayput.verification.contest import Contest, drawn_run
+from stayput.verification.option_runner import OptionRunner, drawn_run
 from stayput.verification.options import compared_options
 
 BOOKCASE = {
@@ -151,14 +151,15 @@ def test_brackets_that_hold_under_one_component_of_a_record_fail_under_all_three
     three = {"record": record, "across": across, "vertical": vertical, **place}
     falls = {}
     for name, changes in (("space", {}), ("plane", {"dimensions": 2})):
-        tables = {**HELD, "shaking": three, "uncertainty": {"samples": 6}, **changes}
+        tables = {**HELD, "shaking": three, "uncertainty": {"samples": 12}, **changes}
         verdict = sp.verify(Scenario.parse(tables), levels=[])
         falls[name] = next(each for each in verdict.options if each.option.measures)
         assert json.loads(verdict.to_json())["components"] == (
             ["x", "y", "z"] if name == "space" else ["x", "z"]
         )
-    assert falls["plane"].probabilities["overturned"].fell == 0
-    assert falls["space"].probabilities["overturned"].fell >= 2
+    plane, space = (falls[name].probabilities["overturned"].fell for name in ("plane", "space"))
+    assert plane <= 1
+    assert space >= 4
 
 
 def test_sweeps_in_space_have_the_bits_of_single_runs() -> None:
@@ -309,7 +310,8 @@ def test_every_measure_that_can_be_put_in_place_is_verified_in_space() -> None:
     assert scenario.dimensions == 3
     options, impossible = compared_options(scenario)
     assert {one.option.name for one in impossible} == {"tension_pole"}  # no ceiling is known
-    runs = Contest(scenario, 0.1, 1).run(options, 1)
+    runner = OptionRunner(scenario, 0.1, 1)
+    runs = runner.run(options, runner.members)
     assert len(runs) == len(kinds) + 1
     assert not any(each.missing.any() for each in runs)
     slides = {option.name: each.slide.item() for option, each in zip(options, runs, strict=True)}

@@ -1,10 +1,10 @@
-"""Draws of uncertain quantities: their distributions, their even spread, and the same bits for a seed."""
+"""Draws of uncertain quantities: their distributions, and the same bits for a seed."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy.stats import lognorm, truncnorm
+from scipy.stats import kstest, lognorm, truncnorm
 
 from stayput import InputError
 from stayput.uncertainty import USUAL, Confidence, Lognormal, Normal, Uncertainty, Uniform
@@ -13,8 +13,8 @@ SHARES = np.array([0.001, 0.025, 0.3, 0.5, 0.9, 0.999])
 
 
 PINNED = {
-    "a": ["0x1.060d7be700000p-1", "0x1.835ef9c000000p-7", "0x1.0c1af7ce00000p-2"],
-    "b": ["0x1.6271e9b300000p-1", "0x1.89c7a6cc00000p-3", "0x1.e271e9b300000p-1"],
+    "a": ["0x1.0983f6f6117a3p-2", "0x1.64114289bc506p-1", "0x1.71ae362d0dc3ep-1"],
+    "b": ["0x1.42b266dabbef0p-1", "0x1.cdbe9afa0c3d5p-2", "0x1.83c45ba4237f4p-1"],
 }
 
 
@@ -29,35 +29,27 @@ def test_quantiles_are_scipys() -> None:
 
 
 def test_coefficient_of_variation_is_met() -> None:
-    drawn = Uncertainty({"x": Lognormal(2.0, 0.3)}).sample(2**14, 1)["x"]
+    drawn = Uncertainty({"x": Lognormal(2.0, 0.3)}).sample(2**18, 1)["x"]
     assert drawn.std() / drawn.mean() == pytest.approx(0.3, rel=0.01)
-    assert np.median(drawn) == pytest.approx(2.0, rel=1e-3)
+    assert np.median(drawn) == pytest.approx(2.0, rel=3e-3)
 
 
-def test_draws_are_evenly_spread() -> None:
-    drawn = Uncertainty({name: Uniform(0.0, 1.0) for name in "abc"}).sample(64, 3, motions=5)
-    for values in drawn.values():
-        assert values.shape == (5, 64)
-        # one in each sixty-fourth
-        assert (np.sort((64 * values).astype(int), axis=1) == np.arange(64)).all()
-
-
-def test_a_mean_converges_faster_than_by_chance() -> None:
-    several = Uncertainty({name: Lognormal(1.0, 0.2) for name in "abcd"})
-
-    def error(n: int) -> float:
-        drawn = several.sample(n, 7, motions=200).values()
-        return float(np.prod(list(drawn), axis=0).mean(axis=1).std())
-
-    # by chance it would halve
-    assert error(64) < error(16) / 2.5
+def test_draws_are_uniform_and_independent() -> None:
+    drawn = Uncertainty({name: Uniform(0.0, 1.0) for name in "abc"}).sample(2000, 3, motions=5)
+    columns = np.concatenate(list(drawn.values()))
+    assert columns.shape == (15, 2000)
+    assert min(kstest(column, "uniform").pvalue for column in columns) > 1e-3
+    # quantities, motions, and one draw and the next
+    apart = np.corrcoef(columns) - np.eye(15)
+    assert np.abs(apart).max() < 4.0 / np.sqrt(2000)
+    assert abs(np.corrcoef(columns[:, 1:].ravel(), columns[:, :-1].ravel())[0, 1]) < 4.0 / np.sqrt(30_000)
 
 
 def test_same_seed_same_bits_whatever_else_is_drawn() -> None:
     known = Uncertainty(USUAL)
     few = known.sample(8, 11, motions=3)
     more = known.sample(50, 11, motions=40)
-    longer = Uncertainty({**USUAL, "another": Uniform(0.0, 1.0)}).sample(8, 11, motions=3)
+    longer = Uncertainty({"another": Uniform(0.0, 1.0), **USUAL}).sample(8, 11, motions=3)
     for name, values in few.items():
         assert (more[name][:3, :8] == values).all()
         assert (longer[name] == values).all()
@@ -80,27 +72,18 @@ def test_motions_are_independent_of_each_other() -> None:
 def test_usual_ranges_are_tagged() -> None:
     graded = {name for name, marginal in USUAL.items() if marginal.confidence != Confidence.LOW}
     assert graded == {"landing_place"}
-    drawn = Uncertainty(USUAL).sample(1024, 1)
+    drawn = Uncertainty(USUAL).sample(2**14, 1)
     assert drawn["friction"].std() == pytest.approx(0.2, rel=0.05)
     assert drawn["restitution"].min() >= 0.9
     assert Uncertainty().sample(4, 1) == {}
 
 
-def test_streams_are_independent_and_each_evenly_spread():
+def test_streams_are_independent():
     known = Uncertainty({"mass": Uniform(0.0, 1.0)})
-    columns = {name: known.sample(256, 1, motions=40, stream=name)["mass"] for name in ("", "a", "b")}
-    for values in columns.values():
-        assert (np.sort(values, axis=1) * 256 // 1 == np.arange(256)).all()
-    for first, second in (("", "a"), ("a", "b")):
-        rank = [np.corrcoef(*pair)[0, 1] for pair in zip(columns[first], columns[second], strict=True)]
-        assert np.mean(np.abs(rank)) < 0.1  # of independent ones 0.8/sqrt(256) = 0.05
-        few = [
-            np.corrcoef(*pair)[0, 1]
-            for pair in zip(columns[first][:, :8], columns[second][:, :8], strict=True)
-        ]
-        assert abs(np.mean(few)) < 0.25
+    columns = [known.sample(256, 1, motions=40, stream=name)["mass"].ravel() for name in ("", "a", "b")]
+    assert np.abs(np.corrcoef(columns) - np.eye(3)).max() < 4.0 / np.sqrt(len(columns[0]))
     more = known.sample(300, 1, motions=40, stream="a")["mass"]
-    assert (more[:, :256] == columns["a"]).all()
+    assert (more[:, :256].ravel() == columns[1]).all()
     assert (known.sample(44, 1, motions=40, start=256, stream="a")["mass"] == more[:, 256:]).all()
 
 

@@ -12,12 +12,12 @@ from html_pages import Page, check_alone, check_readable
 
 import stayput as sp
 from stayput.catalogue import phrase
-from stayput.montecarlo.counting import Member
+from stayput.montecarlo.counting import Member, Members
 from stayput.report.verdict import svg
 from stayput.report.verdict.html import pairs_of, place_of_the_measure, report_html
 from stayput.report.verdict.numbers import interval, probability, word
 from stayput.report.verdict.tables import ranking
-from stayput.verification.contest import Contest, drawn_run
+from stayput.verification.option_runner import OptionRunner, drawn_run
 from stayput.verification.options import compared_options
 from stayput.verification.words import headline
 
@@ -148,12 +148,14 @@ def test_a_replay_is_the_run_that_was_counted(initial, dimensions):
     tables = {**verdict_cases.SCENARIO, "initial": initial, "dimensions": dimensions}
     scenario = sp.Scenario.parse({**tables, "uncertainty": {"samples": 3}})
     options, _ = compared_options(scenario)
-    for option, runs in zip(options[:4], Contest(scenario, 0.1, 1).run(options[:4], 3), strict=True):
+    members = Members.of_samples(1, 3)
+    made = OptionRunner(scenario, 0.1, 1).run(options[:4], members)
+    for option, runs in zip(options[:4], made, strict=True):
         for sample in range(3):
             run = drawn_run(scenario, option, Member(0, sample))
-            assert run.peak_tilt == runs.tilt[0, sample]
-            assert run.peak_slide == runs.slide[0, sample]
-            assert run.overturned == runs.overturned[0, sample]
+            assert run.peak_tilt == runs.tilt[sample]
+            assert run.peak_slide == runs.slide[sample]
+            assert run.overturned == runs.overturned[sample]
 
 
 def test_ticks_are_round_and_inside():

@@ -11,15 +11,24 @@ from numpy.typing import NDArray
 import stayput as sp
 from stayput.fragility.intensity_measures import JMA_INTENSITY, PGA
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESTED, RESULT
-from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED, Member, Quantiles, worst_of
+from stayput.montecarlo.counting import (
+    DEVICE_FAILED,
+    EVENTS,
+    OVERTURNED,
+    Member,
+    Members,
+    Quantiles,
+    worst_of,
+)
 from stayput.montecarlo.runs import Runs
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws, rows_of
 from stayput.montecarlo.scaled_motions import ScaledMotions
 from stayput.scenario import Scenario
 from stayput.verification import verify
-from stayput.verification.contest import drawn_run
+from stayput.verification.option_runner import drawn_run
 from stayput.verification.options import compared_options
 from stayput.verification.people import typical_of
+from stayput.verification.race import STEP
 
 ROOM = {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
 FEW = np.array([5.0, 5.75, 6.5])
@@ -52,8 +61,9 @@ def test_every_option_is_there_ranked_and_counted(verdict):
     assert verdict.best.option.name == "l_bracket"
     assert (shares["none"] > 0.4, shares["l_bracket"]) == (True, 0.0)
     assert verdict.best.change.estimate < -0.4
-    assert (verdict.motions, verdict.samples) == (5, 2)
-    assert verdict.runs + verdict.settled == 3 * 5 * 2 * (1 + len(FEW))
+    # and ten more of the best one, unbreakable
+    assert (verdict.motions, verdict.runs) == (5, 3 * 5 * 2 * (1 + len(FEW)) + 10)
+    assert [one.runs for one in verdict] == [10, 10, 10]
     for one in verdict.options:
         assert set(one.probabilities) == set(EVENTS)
         assert one.probabilities[OVERTURNED].runs == 10
@@ -75,7 +85,7 @@ def test_a_device_s_failures_and_margins_are_those_of_its_runs():
     weak = scenario(measures=[{"type": "belt", "strength": 700.0}])
     found = verify(weak, levels=())
     belt = next(one for one in found.options if one.option.measures)
-    members = [Member(m, s) for m in range(found.motions) for s in range(found.samples)]
+    members = [Member(m, s) for m in range(found.motions) for s in range(2)]
     runs = [drawn_run(found.scenario, belt.option, member) for member in members]
     assert len(belt.devices) == 2
     for number, told in enumerate(belt.devices):
@@ -91,7 +101,7 @@ def test_a_device_s_failures_and_margins_are_those_of_its_runs():
 
 def test_curves_against_every_measure_of_the_shaking(verdict):
     curve = verdict.without.curves[JMA_INTENSITY]
-    assert [level.im for level in curve.levels] == pytest.approx(FEW)
+    assert [level.im for level in curve.levels] == pytest.approx(sorted({*FEW, verdict.intensity}))
     shares = [level.probability.estimate for level in curve.levels]
     assert shares[0] <= shares[-1]
     assert verdict.without.capacities.keys() == {0.1, 0.5}
@@ -112,7 +122,7 @@ def test_bits_do_not_depend_on_threads(verdict):
 def test_the_ranking_is_told_as_it_gets_better_and_its_bits_do_not_depend_on_that():
     asked, told = scenario(uncertainty={"samples": 30}), []
     plain, heard = verify(asked, levels=FEW), verify(asked, levels=FEW, on_verdict=told.append)
-    assert [one.samples for one in told] == [4, 6]
+    assert [one.without.runs for one in told] == [8, 16, 30]
     assert not any(one.complete or one.without.curves for one in told)
     assert heard.complete
     for early in told:  # some of the runs of the final answer, by the same engine
@@ -128,7 +138,7 @@ def test_the_ranking_is_told_as_it_gets_better_and_its_bits_do_not_depend_on_tha
         for measure, curve in one.curves.items():
             shares = (each.probability(FEW) for each in (curve, other.curves[measure]))
             assert np.array_equal(*shares, equal_nan=True)
-    assert (plain.runs, plain.settled, plain.precise) == (heard.runs, heard.settled, heard.precise)
+    assert (plain.runs, plain.precise) == (heard.runs, heard.precise)
 
 
 def test_an_option_does_not_depend_on_what_stands_beside_it(verdict):
@@ -142,9 +152,10 @@ def test_an_option_does_not_depend_on_what_stands_beside_it(verdict):
 
 def test_samples_stop_at_the_asked_precision():
     rough = verify(scenario(uncertainty={"samples": 400, "precision": 0.49}), levels=())
-    assert rough.samples == 4
+    assert {one.runs for one in rough} <= {STEP, 2 * STEP}
+    assert rough.precise
     exhausted = verify(scenario(uncertainty={"samples": 20, "precision": 0.001}), levels=())
-    assert exhausted.samples == 4
+    assert {one.runs for one in exhausted} == {20}
     assert not exhausted.precise
 
 
@@ -281,10 +292,12 @@ def test_quantiles_count_a_fall_as_infinite():
 
 def hand_made(overturned: NDArray[np.bool_], tilt: NDArray[np.float64]) -> Runs:
     """Runs of a lone piece without devices, of which some overturn."""
-    none, nothing = np.zeros_like(overturned), np.empty((*overturned.shape, 0))
-    results = np.zeros((*overturned.shape, 1), RESULT)
-    results["outcome"] = np.where(overturned, OVERTURNED_OUTCOME, RESTED)[..., np.newaxis]
+    overturned, tilt = overturned.ravel(), tilt.ravel()
+    none, nothing = np.zeros_like(overturned), np.empty((len(tilt), 0))
+    results = np.zeros((len(tilt), 1), RESULT)
+    results["outcome"] = np.where(overturned, OVERTURNED_OUTCOME, RESTED)[:, np.newaxis]
     return Runs(
+        Members.of_samples(2, 2),
         overturned=overturned,
         missing=none,
         hit_wall=none,
@@ -295,7 +308,7 @@ def hand_made(overturned: NDArray[np.bool_], tilt: NDArray[np.float64]) -> Runs:
         used=nothing,
         masses=0.0 * tilt,
         results=results,
-        hits=np.empty((*overturned.shape, 0, 1, 4)),
+        hits=np.empty((len(tilt), 0, 1, 4)),
         blocked=nothing.astype(bool),
         shut_in=nothing.astype(bool),
         tracks=nothing.astype(object),
@@ -309,11 +322,11 @@ def test_the_typical_run_is_in_the_middle_and_the_worst_at_the_end():
     assert typical_of(runs) == Member(0, 0)
     falls = hand_made(np.array([[False, True], [False, False]]), tilt)
     assert typical_of(falls) == Member(0, 0)  # as most do, it stands
-    fails = replace(runs, device_failed=np.array([[False, False], [True, False]]))
+    fails = replace(runs, device_failed=np.array([False, False, True, False]))
     assert worst_of(fails) == Member(1, 0)
-    trembling = replace(runs, tilt=1e-6 * tilt, slide=np.array([[0.1, 0.2], [0.0, 1.0]]))
+    trembling = replace(runs, tilt=1e-6 * tilt.ravel(), slide=np.array([0.1, 0.2, 0.0, 1.0]))
     assert worst_of(trembling) == Member(1, 1)  # what only slides is worst where it slides farthest
-    gone = replace(falls, missing=np.array([[False, True], [False, False]]))
+    gone = replace(falls, missing=np.array([False, True, False, False]))
     assert worst_of(gone) == Member(1, 0)
 
 

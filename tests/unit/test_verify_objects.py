@@ -103,7 +103,7 @@ def test_verdicts_are_pickled_iterated_indexed_and_a_dataset():
         verdict["glue"]
     again = pickle.loads(pickle.dumps(verdict))
     assert again.to_json() == verdict.to_json()
-    assert f"{verdict.motions} × {verdict.samples} runs each" in repr(again)
+    assert f"{verdict.best.runs} runs each under {verdict.motions} motions" in repr(again)
     data = verdict.to_dataset()
     chance = verdict.without.pieces[0].probabilities["overturned"]
     told = data.piece_probability.sel(option="none", piece="piece", event="overturned")
@@ -223,7 +223,7 @@ def test_single_numbers_of_numpy_are_numbers():
         assert chances(of_numpy) == plain
 
 
-@pytest.mark.parametrize("switch", ["changes", "every_run"])
+@pytest.mark.parametrize("switch", ["changes"])
 def test_a_switch_is_true_or_false(switch: str):
     with pytest.raises(sp.InputError, match=f"^{switch} is 'no'; it must be of type bool"):
         verified(shaking="6-lower", **{switch: "no"})

@@ -34,7 +34,7 @@ SCENARIO = sp.Scenario.parse(
     }
 )
 TRIALS = sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40])
-CURVES = [sp.fragility_curve(TRIALS, "bookcase")]
+CURVES = [sp.FragilityCurve("bookcase", TRIALS)]
 SIZE = {"width": 0.4, "height": 1.8}
 PEAKS = {"pga": 1.0, "pgv": 0.1}
 GRAVITY = {"gravity": 9.8}
@@ -109,7 +109,7 @@ GOOD: tuple[tuple[Callable[..., Any], dict[str, Any]], ...] = (
     fields(sp.Isolation),
     fields(sp.ShearModel, masses=[1e5, 1e5], stiffnesses=[1e8, 1e8], damping=0.05),
     (sp.Trials.from_counts, {"measure": PGA, "im": [2.0, 4.0], "fell": [4, 19], "runs": [40, 40]}),
-    (sp.fragility_curve, {"trials": TRIALS}),
+    (sp.FragilityCurve, {"name": "bookcase", "trials": TRIALS}),
     (sp.verify, {"what": SCENARIO, "levels": [], "slide_limit": 0.1, "threads": 1}),
     (
         sp.verify,

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 import stayput as sp
-from stayput.fragility.curve import fragility_curve
+from stayput.fragility.curve import FragilityCurve
 from stayput.fragility.intensity_measures import INTENSITY_MEASURES
 from stayput.fragility.paired import difference
 from stayput.fragility.probabilities import probability
@@ -41,7 +41,7 @@ def curves(name, middle):
         values = im if measure.is_logarithm else 10.0 ** (0.5 * im - 3.0 + 0.01 * n)
         chance = np.zeros_like(im) if middle is None else 1.0 / (1.0 + np.exp(-6.0 * (im - middle)))
         fallen = np.random.default_rng(n).random((*im.shape, SAMPLES)) < chance[..., None]
-        found[measure] = fragility_curve(Trials.from_runs(measure, values, fallen), name)
+        found[measure] = FragilityCurve(name, Trials.from_runs(measure, values, fallen))
     return found
 
 
@@ -53,6 +53,7 @@ def option(name, measures, rank, share, *, bare, middle=6.0, slide=0.03, devices
     return OptionVerdict(
         option=Option(name, (measures,)),
         rank=rank,
+        runs=MOTIONS * SAMPLES,
         pieces=(PieceVerdict("bookcase", chances, slides, tilts, expected(share, share)),),
         probabilities=chances,
         change=difference(fallen, bare) if measures else None,
@@ -93,9 +94,7 @@ def made(scenario=None, **changes):
         ),
         levels=LEVELS,
         motions=MOTIONS,
-        samples=SAMPLES,
         runs=2400,
-        settled=0,
         precise=True,
         seed=7,
         seconds=1.5,

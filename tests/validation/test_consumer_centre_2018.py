@@ -29,7 +29,7 @@ def test_the_bare_cupboard_falls_too_seldom_at_6_lower(study):
     """In the test it fell; here it mostly stands, with a wall above all."""
     crustal = agrees(study, BARE).sel(shaking="crustal")
     assert float(crustal.max()) < 0.3
-    assert float(crustal[:-1].max()) < 0.05
+    assert float(crustal[:-1].max()) < 0.1  # 0.03 of many draws, 0.02 to 0.06 of so few
     worst = agrees(study, BARE).sel(shaking="near-fault, 0.2 stronger")
     assert float(worst[-1]) > 0.5
 

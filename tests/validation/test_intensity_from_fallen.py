@@ -23,7 +23,7 @@ def runs() -> np.ndarray:
     suite = sp.synthetic_suite("crustal", MOTIONS)
     scaled_motions, drawn = ScaledMotions(suite), draws(MOTIONS, SAMPLES, 1)
     rows = [rows_of(stone, BASE, (), drawn, 9.80665) for stone in STONES]
-    falls, _ = run_levels(rows, LEVELS, scaled_motions.at, threads=1)
+    falls = run_levels(rows, LEVELS, scaled_motions.at, threads=1)
     return np.array([kind.overturned.sum(axis=2) for kind in falls], float)
 
 

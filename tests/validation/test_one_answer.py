@@ -9,9 +9,9 @@ import pytest
 
 import stayput as sp
 from stayput.measures import GelMats, LBracket
-from stayput.montecarlo.counting import OVERTURNED
+from stayput.montecarlo.counting import OVERTURNED, Members
 from stayput.scenario.measures import Option
-from stayput.verification.contest import Contest
+from stayput.verification.option_runner import OptionRunner
 
 SHAKEN = {"shaking": {"intensity": "6-upper", "suite": {"count": 4}}, "uncertainty": {"samples": 8}}
 SIZES = {"name": "bookcase", "width": 0.3, "height": 1.8, "mass": 200.0, "length": 0.9}
@@ -57,7 +57,8 @@ def test_a_bookcase_has_the_same_runs_to_the_bit_wherever_nothing_else_reaches_i
     for tables in PLACES.values():
         scenario = sp.Scenario.parse({**SHAKEN, **tables, **stated})
         option = Option("held", (measures, *((),) * (len(scenario.names) - 1)))
-        (runs,) = Contest(scenario, 0.1, 2).run([option], 2)
+        runner = OptionRunner(scenario, 0.1, 2)
+        (runs,) = runner.run([option], Members.of_samples(runner.settings.motions, 1))
         results.append(runs.results[..., 0])
         used.append(runs.used)
     assert len(np.unique(results[0]["peak_tilt"])) == results[0].size  # each draw is another
@@ -82,7 +83,8 @@ def test_one_that_faces_elsewhere_is_shaken_alike(stated: dict[str, float]) -> N
     slides: list[Any] = []
     for furniture in ({**SIZES, "heading": 0.7}, [{**SIZES, "heading": 0.7}]):
         scenario = sp.Scenario.parse({**SHAKEN, "furniture": furniture, **stated})
-        (runs,) = Contest(scenario, 0.1, 2).run([Option("none")], 2)
+        runner = OptionRunner(scenario, 0.1, 2)
+        (runs,) = runner.run([Option("none")], Members.of_samples(runner.settings.motions, 1))
         slides.append(np.where(runs.overturned, np.inf, runs.slide))
     alike = np.isclose(slides[0], slides[1], rtol=1e-3, atol=1e-6)
     assert alike.mean() > 0.7

@@ -18,7 +18,14 @@ from stayput.model.floor_plan import rectangle
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.simulation.groups import Track, at_rest, meet, outline_of, stirring
 from stayput.simulation.piece import inside_each_other
-from stayput.verification.events import CELL, ENTERS_BY, PASSAGE, RoomContact, Ways, contact_with_place
+from stayput.verification.events import (
+    CELL,
+    ENTERS_BY,
+    PASSAGE,
+    RoomContact,
+    WalkableGrid,
+    contact_with_place,
+)
 
 
 def placed(rng: np.random.Generator, reach: float) -> sp.Piece:
@@ -250,7 +257,7 @@ def test_one_walks_out_through_gaps_that_are_wide_enough(gap: float, free: bool)
     door = sp.Door("right_wall", 1.0, 0.8, opens="outwards")
     plan = sp.FloorPlan(4.0, 3.0, [door], places=[sp.PersonPlace.of("desk", (0.6, 1.5))])
     wall = rectangle((2.0, 0.5 * (3.0 - gap)), 0.4, 3.0 - gap)
-    ways = Ways(plan)
+    ways = WalkableGrid(plan)
     blocked, shut_in = ways.shut_in(ways.covered([wall]))
     assert shut_in == [not free]
     assert blocked == [False] or not free
@@ -258,7 +265,7 @@ def test_one_walks_out_through_gaps_that_are_wide_enough(gap: float, free: bool)
 
 def test_a_door_that_opens_inwards_needs_its_floor() -> None:
     plan = sp.FloorPlan(4.0, 3.0, [sp.Door("near_side_wall", 1.0, 0.8)])
-    ways = Ways(plan)
+    ways = WalkableGrid(plan)
     # until its edge is a passage's width from the jamb: by 2 asin(0.5 · 0.5 / 0.8)
     angle = 2.0 * math.asin(0.5 * PASSAGE / 0.8)
     radius, beyond = 0.6, 0.15
@@ -273,7 +280,7 @@ def test_a_door_that_opens_inwards_needs_its_floor() -> None:
 @pytest.mark.parametrize("hinge", ["start", "end"])
 def test_every_wall_and_hinge_sweeps_the_same_floor(wall: str, hinge: str) -> None:
     plan = sp.FloorPlan(3.0, 3.0, [sp.Door(wall, 1.0, 0.8, hinge)])
-    ways = Ways(plan)
+    ways = WalkableGrid(plan)
     at_hinge = plan.on_wall(wall, 1.1 if hinge == "start" else 1.7, 0.05)
     at_edge = plan.on_wall(wall, 1.7 if hinge == "start" else 1.1, 0.7)
     assert not ways.opens(plan.doors[0], ways.covered([rectangle(at_hinge, 0.1, 0.1)]))

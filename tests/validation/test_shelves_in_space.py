@@ -81,7 +81,8 @@ def test_one_component_spills_in_space_what_it_does_in_the_plane(body, intensity
     assert here.share_toppled == pytest.approx(there.share_toppled, abs=item)
     assert here.open_from == pytest.approx(there.open_from, abs=1.001 * STEP)
     both = np.isfinite(here.time) & np.isfinite(there.time)
-    for name, within in (("time", 4.001 * STEP), ("height", 0.01), ("speed", 0.05), ("distance", 0.03)):
+    # a piece that falls carries its shelves down by some 3 m/s in the 4 ms by which the times may differ
+    for name, within in (("time", 4.001 * STEP), ("height", 0.015), ("speed", 0.05), ("distance", 0.03)):
         assert getattr(here, name)[both] == pytest.approx(getattr(there, name)[both], abs=within), name
 
 

@@ -55,7 +55,7 @@ def test_any_heading_of_everything(name: str, heading: float) -> None:
 
 @pytest.mark.parametrize("name", BODIES)
 def test_a_mirror(name: str) -> None:
-    """Seen in a mirror across y: y, and rotations about x and z, change their signs."""
+    """RoomEvents in a mirror across y: y, and rotations about x and z, change their signs."""
     body = BODIES[name]
     mirror = np.diag([1.0, -1.0, 1.0])
     image = sp.Body.hull(

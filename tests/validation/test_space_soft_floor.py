@@ -18,9 +18,9 @@ import stayput as sp
 from stayput.fragility.paired import difference
 from stayput.measures import MEASURES
 from stayput.model.soft_base import rigid_half_base
-from stayput.montecarlo.counting import SLIDE_LIMIT
+from stayput.montecarlo.counting import SLIDE_LIMIT, Members
 from stayput.scenario.measures import Option
-from stayput.verification.contest import Contest
+from stayput.verification.option_runner import OptionRunner
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -143,7 +143,9 @@ def test_a_piece_falls_as_often_in_space_as_in_the_plane(settlement: float) -> N
     def fell(settles: float, in_plane: bool) -> NDArray[np.bool_]:
         of_floor = {"room": {"floor": {**floor, "settlement": settles}}}
         given = sp.Scenario.parse({**scene, **of_floor, "dimensions": 2 if in_plane else 3})
-        return Contest(given, SLIDE_LIMIT, 1).run([Option("none")], 4)[0].overturned
+        runner = OptionRunner(given, SLIDE_LIMIT, 1)
+        (runs,) = runner.run([Option("none")], Members.of_samples(12, 4))
+        return runs.overturned.reshape(12, 4)
 
     plane, space, rigid = fell(settlement, True), fell(settlement, False), fell(0.0, False)
     assert difference(plane, space).low < 0.05

@@ -14,7 +14,7 @@ from stayput.measures import LBracket
 from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.rooms.purchases import purchases_of
 from stayput.verification.changes import Change, with_changes
-from stayput.verification.contest import Contest
+from stayput.verification.option_runner import OptionRunner
 
 BOX = sp.Body.box(0.3, 0.3, 0.3, 10.0)
 
@@ -73,7 +73,7 @@ def test_a_bracket_in_a_corner_bears_what_it_bears_elsewhere(gap: float):
             }
         )
         option = with_changes(scenario.stated, [Change("bookcase", LBracket())], scenario.names)
-        (purchase,) = purchases_of(Contest(scenario, SLIDE_LIMIT, 2), option, (LBracket(),), 0)
+        (purchase,) = purchases_of(OptionRunner(scenario, SLIDE_LIMIT, 2), option, (LBracket(),), 0)
         assert purchase.needed is not None
         return tuple(purchase.needed)
 

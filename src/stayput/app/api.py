@@ -30,7 +30,6 @@ from stayput.rooms.planning import action_plan
 from stayput.rooms.steps import ActionPlan, Home, changes_between
 from stayput.scenario.toml import table_of_toml
 from stayput.verification import Verdict, verify
-from stayput.verification.compare import LEVELS
 
 if TYPE_CHECKING:
     from stayput.execution import Stop
@@ -181,14 +180,13 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     async def start(body: messages.VerifyRequest) -> Response:
         """Begin a verification: it goes on as a job."""
 
-        def prepare() -> tuple[Scenario, list[float], int]:
+        def prepare() -> tuple[Scenario, int]:
             scenario = service.lone_piece(body.scene, body.measures)
             extended = with_options(scenario, body.scene, body.compare_usual)
-            levels = [float(level) for level in LEVELS if body.curves]
-            return extended, levels, runs_of(extended, service.limits, len(levels))
+            return extended, runs_of(extended, service.limits)
 
-        scenario, levels, runs = await service.workers.run(prepare)
-        return service.begun(partial(verify, levels=levels), body, scenario, runs)
+        scenario, runs = await service.workers.run(prepare)
+        return service.begun(partial(verify, levels=None if body.curves else []), body, scenario, runs)
 
     @router.post("/room", status_code=202, response_model=JobReply, responses=problems(*OF_BODY, 429))
     async def start_room(body: messages.RoomRequest) -> Response:

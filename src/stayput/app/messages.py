@@ -97,7 +97,10 @@ class VerifyRequest(VerificationRequest, MeasuredRequest):
     """A piece to be verified."""
 
     compare_usual: bool = Field(default=True, description="Whether the usual measures are compared too.")
-    curves: bool = Field(default=True, description="Whether fragility curves are made, which takes longer.")
+    curves: bool = Field(
+        default=True,
+        description="Whether curves are made: two in five runs are then at shaking beside the stated.",
+    )
 
 
 class RoomRequest(VerificationRequest):

@@ -55,7 +55,6 @@ ROOM_SCENE: dict[str, Any] = {
     "windows": [{"wall": "far_side_wall", "start": 0.5, "width": 1.6}],
     "room": {"floor": "wood flooring", "ceiling": {"height": 2.4}},
     "shaking": {"intensity": "6-upper", "suite": {"family": "mixed", "count": 20}, "member": 3},
-    "uncertainty": {"samples": 40},
 }
 """A room to begin with: a bedroom with a bookcase that falls on the bed."""
 

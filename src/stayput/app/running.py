@@ -26,8 +26,8 @@ from stayput.report.summary import device_results, piece_results, place_called, 
 from stayput.scenario.measures import YOURS
 from stayput.simulation.outcome import EventKind
 from stayput.simulation.space_fate import SLID
-from stayput.verification.contest import drawn_run
 from stayput.verification.events import happens_in
+from stayput.verification.option_runner import drawn_run
 from stayput.verification.words import class_phrase
 
 if TYPE_CHECKING:

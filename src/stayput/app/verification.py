@@ -13,7 +13,7 @@ from stayput.app.messages import Problem, Reply, Words
 from stayput.app.running import own_measures
 from stayput.app.scenes import motions_of, refusal, too_many
 from stayput.errors import InputError
-from stayput.fragility.curve import METHOD, CurveState, FragilityCurve
+from stayput.fragility.curve import METHOD, FragilityCurve
 from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures import hold
 from stayput.report.summary import by_language
@@ -21,7 +21,6 @@ from stayput.report.verdict.data import everyday_data, verdict_data
 from stayput.report.verdict.tables import estimate_rows
 from stayput.scenario import Scenario
 from stayput.scenario.measures import YOURS, table_of
-from stayput.verification.compare import LEVELS
 from stayput.verification.contents import runs_of_contents
 from stayput.verification.events import CELL
 from stayput.verification.notes import everyday_note, left_out_of_held, shaken_notes
@@ -34,8 +33,8 @@ if TYPE_CHECKING:
     from stayput.verification import Verdict
     from stayput.verification.verdict import OptionVerdict
 
-CURVE_POINTS = 10 * (len(LEVELS) - 1) + 1
-"""Intensities at which a curve is sent, over what was run: ten from level to level."""
+CURVE_POINTS = 61
+"""Intensities at which a curve is sent."""
 
 
 class PartReply(Reply):
@@ -53,16 +52,15 @@ class ShareReply(PartReply):
 
 
 class CurveReply(Reply):
-    """Probability of overturning over the ground's JMA intensity; no band where there was one motion."""
+    """Probability of overturning over the ground's JMA intensity: a fit to all runs, with its 95 % band."""
 
-    state: str
     method: str
     text: str
     intensity: list[float]
-    probability: list[float] | None
-    low: list[float] | None
-    high: list[float] | None
-    observed: list[ShareReply] = Field(description="At the levels that were run, each an intensity `im`.")
+    probability: list[float]
+    low: list[float]
+    high: list[float]
+    observed: list[ShareReply] = Field(description="Shares of groups of runs, each of an intensity `im`.")
 
 
 class ZoneReply(Reply):
@@ -112,6 +110,7 @@ class OptionReply(PartReply):
     grade: str = Field(description="How well founded its numbers are: A, B or C; see grades.")
     weakest: list[Words] = Field(description="The inputs of that grade.")
     yours: bool
+    runs: int = Field(description="How often it ran; what is not as good may have run less often.")
     probabilities: dict[str, ShareReply]
     overturned_change: ShareReply | None = Field(description="Less the probability without measures.")
     pieces: list[PieceVerdictReply]
@@ -132,15 +131,14 @@ class EverydayReply(Reply):
 class VerdictReply(PartReply):
     """The outcome of a verification, the best option first."""
 
-    complete: bool = Field(description="Whether it is final; else samples or curves are still to come.")
+    complete: bool = Field(description="Whether it is final; else more runs are still to come.")
     verdict: Words
     left_out: Words | None = Field(description="What the numbers leave out of the shaking.")
     notes: list[Words] = Field(description="What must be said beside the numbers.")
     grades: dict[str, Words] = Field(description="What each grade of inputs means.")
     jma_intensity: float | None
     motions: int
-    samples: int
-    runs: int
+    runs: int = Field(description="Of all options together.")
     seconds: float
     options: list[OptionReply]
     not_possible: list[dict[str, Any]] = Field(description="Options that cannot be put in place, and why.")
@@ -200,7 +198,7 @@ def with_options(scenario: Scenario, data: dict[str, Any], compare_usual: bool) 
     return Scenario.parse({**data, "measures": [*tables.values()]}, scenario.folder)
 
 
-def runs_of(scenario: Scenario, limits: Limits, levels: int = 0) -> int:
+def runs_of(scenario: Scenario, limits: Limits) -> int:
     """Return how many simulations a verification makes at most: of a room, those of it as it is.
 
     Raises
@@ -220,7 +218,7 @@ def runs_of(scenario: Scenario, limits: Limits, levels: int = 0) -> int:
     else:
         allowed = limits.runs if scenario.dimensions == 2 else limits.runs_in_space
         options = len(compared_options(scenario)[0])
-        runs *= options * (1 + levels + (scenario.uncertainty.badly(1.0) > 0.0))
+        runs *= options * (1 + (scenario.uncertainty.badly(1.0) > 0.0))
         if scenario.contents is not None:
             runs += options * runs_of_contents(scenario.contents, motions)
     if runs > allowed:
@@ -237,7 +235,7 @@ def verdict_reply(verdict: Verdict) -> VerdictReply:
         _extend_option(option, result, verdict)
         if scenario.plan is not None:
             _extend_room(option, result, verdict)
-    if scenario.alone:
+    if verdict.estimates is not None:
         data["estimates"]["rows"] = _estimates(verdict)
     left_out = left_out_of_held(verdict)
     return VerdictReply.model_validate(
@@ -306,17 +304,15 @@ def _extend_room(data: dict[str, Any], result: OptionVerdict, verdict: Verdict) 
 
 
 def _curve(curve: FragilityCurve, levels: list[dict[str, Any]]) -> dict[str, Any]:
-    grid, fitted = curve.grid(CURVE_POINTS), curve.state is CurveState.FITTED
+    grid = curve.grid(CURVE_POINTS)
     low, high = curve.band(grid)
-    banded = fitted and not curve.one_motion
     return {
-        "state": str(curve.state),
         "method": METHOD,
         "text": curve.text,
         "intensity": grid.round(3).tolist(),
-        "probability": _shares(curve.probability(grid)) if fitted else None,
-        "low": _shares(low) if banded else None,
-        "high": _shares(high) if banded else None,
+        "probability": _shares(curve.probability(grid)),
+        "low": _shares(low),
+        "high": _shares(high),
         "observed": levels,
     }
 

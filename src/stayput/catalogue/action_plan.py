@@ -104,6 +104,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "helps_less": ("helps less: {what} in {share} of the runs", "効果が小さめです（{what}計算は{share}）"),
     "costs_more": ("brings no more, and costs more", "効果が変わらず、費用が高くなります"),
     "brings_no_more": ("brings no more", "効果は変わりません"),
+    "pair_not_tried": ("two together are tried only where one of them helps but is too weak",
+                       "2つの併用は、1つでは効果があっても強度が足りないときだけ試します"),
     "not_needed": ("the steps bring as much without it", "ほかの項目だけで効果が変わりません"),
     # Moves
     "check_move": ("{empty}measure the new place; keep sockets and doors free",

@@ -112,8 +112,6 @@ TEXTS: dict[str, tuple[str, str]] = {
                ("フラジリティ曲線（揺れの強さに対する転倒確率）を書き出すフォルダー：curves.csv、"
                 "observed.csv、図、pelicun用ファイル、OpenQuake用のNRML")),
     "slide_limit": ("Slide that counts as too far [m].", "移動しすぎと見なす移動量 [m]"),
-    "every_run": ("Make also the runs of the curves that weaker and stronger shaking tell.",
-                  "より弱い揺れ・強い揺れの結果から分かる計算も省かずに行う"),
     "im": (("With --curves: what they are over, JMA by default; SA(0.3): spectral acceleration at 0.3 s; "
             "PFA, PFV: the floor's peaks."),
            ("--curvesの横軸とする揺れの強さの指標（既定はJMA）。SA(0.3)は周期0.3 sの加速度応答スペクトル、"

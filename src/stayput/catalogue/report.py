@@ -9,14 +9,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "shaking": ("Shaking", "揺れの強さ"),
     "instrumental": ("JMA intensity {class} (instrumental {value})", "{class}（計測震度 {value}）"),
     "simulations": ("Simulations", "計算回数"),
-    "simulations_text": (("{runs} runs in all; motions × Monte Carlo samples: {motions} × {samples} for "
-                          "each measure, of curves also for each level"),
-                         ("合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、"
-                          "各対策で（曲線では各レベルでも）計算しました。")),
-    "settled_text": (("; {settled} more were not needed, since weaker or stronger shaking with the same draw "
-                      "told the outcome"),
-                     ("ほかの{settled}回は、同じ条件でのより弱い揺れ・強い揺れの結果から、"
-                      "計算せずに判定しています。")),
+    "simulations_text": ("{runs} runs in all under {motions} motions, {each} of each measure",
+                         "合計{runs}回：地震動{motions}本、対策ごとに{each}回"),
     "motions": ("Motions", "地震動"),
     "not_precise": ("The precision that was asked for was not reached with the samples that were allowed.",
                     "指定された精度には、許された標本数では達していません。"),
@@ -69,17 +63,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     "brief_falls": ("falls", "転倒"),
     "brief_capacity": ("I{share}", "I{share}"),
     "brief_text": (("Shares of all runs, with the grade of the inputs. Slide: median of the peak. I10, "
-                    "I50: where 10, 50 % overturn ({intensity}); ?: unsure. Below, in brackets: the 95 % "
+                    "I50: where 10, 50 % overturn ({intensity}). Below, in brackets: the 95 % "
                     "interval of overturning."),
                    ("全計算に対する割合（括弧内の英字は入力の根拠の区分）。移動量：最大値の中央値。I10、"
-                    "I50：10%、50%が転倒する値（{intensity}）。?は不確実。かっこ内：転倒の95%区間。")),
+                    "I50：10%、50%が転倒する値（{intensity}）。かっこ内：転倒の95%区間。")),
     "capacity_short": ("{share} % overturn at intensity", "{share}%転倒の計測震度"),
     "change": ("Change from “{without}”", "「{without}」との差"),
     "why": ("Why", "理由"),
     "falls": ("overturned", "転倒"),
     "none": ("none", "なし"),
     "no_device": ("no device", "器具なし"),
-    "unsure": ("unsure", "不確実"),
     "interval": ("95 % interval", "95%区間"),
     "fragility": ("How strong may the shaking be?", "どの強さの揺れまで耐えるか"),
     "fragility_text": (("Share that overturns against the intensity, without a measure and with at "
@@ -97,9 +90,6 @@ TEXTS: dict[str, tuple[str, str]] = {
                       "計測震度に対する転倒割合の曲線（対策ごと）。数値は順位の表にあります。"),
     "axis_share": ("Share that overturns", "転倒する割合"),
     "here": ("this shaking: {value}", "この揺れ：{value}"),
-    "no_interval": ("one motion: no interval", "地震動が1つのため区間なし"),
-    "no_bands": ("One motion tells nothing of how other motions scatter, so there are no bands.",
-                 "地震動が1つだけでは、他の地震動でどれだけばらつくか分からないため、帯はありません。"),
     "watch": ("See it happen", "動きを見る"),
     "typical": ("A typical case", "典型的な場合"),
     "typical_text": (("Of all draws the one that differs least from the others in what falls, without a "
@@ -175,6 +165,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "seconds": ("{value} s", "{value} 秒"),
     "peak_force": ("Largest force that it bore: median, 90 %", "負担した最大の力：中央値、90%値"),
     "used": ("Of its strength: median, 90 %", "強度に対する割合：中央値、90%値"),
+    "demand": ("Asked of its strength, were it unbreakable: median, 90 %",
+               "壊れないとした場合の力の強度に対する割合：中央値、90%値"),
     "devices": ("Loads in the devices", "器具にかかる力"),
     "parameter": ("Parameter", "項目"),
     "value": ("Value", "値"),

@@ -31,10 +31,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "noBest": ("None of the single changes that may be made here makes it clearly better.",
                "ここで行える変更のうち、明らかに良くなるものはありませんでした。"),
     "makeBest": ("Try this change", "この変更を試す"),
-    "basisOfRoom": (("Runs of the room: {whole} = {motions} earthquakes × {each}, each time with other "
+    "basisOfRoom": (("Runs of the room: {whole}, under {motions} earthquakes, each time with other "
                      "friction and weights. Runs of single pieces for that and for all changes: {runs}. "
                      "Seed {seed}, {seconds} s of computing."),
-                    ("部屋の計算{whole}回（地震{motions}種類 × {each}回、"
+                    ("部屋の計算{whole}回（地震{motions}種類、"
                      "毎回摩擦や重さを変えます）の結果です。変更を試した分を含め、"
                      "家具1つずつの計算は{runs}回です。乱数のシードは{seed}、計算時間は{seconds}秒です。")),
     "basisOfOneMotion": (("Runs of the room under this one motion: {whole}, each time with other friction "
@@ -43,7 +43,7 @@ TEXTS: dict[str, tuple[str, str]] = {
                          ("この1つの地震動による、部屋の計算{whole}回（毎回摩擦や重さを変えます）の結果で"
                           "す。変更を試した分を含め、家具1つずつの計算は{runs}回です。"
                           "乱数のシードは{seed}、計算時間は{seconds}秒です。")),
-    "careOwn": ("{n} runs (as the file says)", "{n}回（ファイルの指定）"),
+    "careOwn": ("as the file says", "ファイルの指定どおり"),
     "pointsBetween": ("{low} to {high} points", "{low}～{high}ポイント"),
     "noClearDifference": ("no clear difference", "明らかな差なし"),
     "medianAndMost": ("{median}, in 10 % of the hits over {most}", "{median}（10%の場合は{most}を超える）"),

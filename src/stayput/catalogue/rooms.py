@@ -163,8 +163,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "more_blocked": ("door clearly blocked more often", "明らかにドアがふさがりやすくなる"),
     "fewer_overturned": ("clearly overturns less often", "明らかに倒れにくくなる"),
     "more_overturned": ("clearly overturns more often", "明らかに倒れやすくなる"),
-    "simulations": (("{runs} runs of the room: {motions} × {samples} Monte Carlo samples, as the room is "
-                     "and for each change."),
-                    ("部屋の計算{runs}回：{motions} × 不確かさの標本{samples}組を、"
-                     "現状と各変更について計算しました。")),
+    "simulations": ("{runs} runs of the room under {motions}: {each} as it is and with each change.",
+                    "部屋の計算{runs}回：{motions}、現状と変更ごとに{each}回。"),
 }

@@ -61,9 +61,11 @@ TEXTS: dict[str, tuple[str, str]] = {
                              ("上に物が載っている家具も、単独で置いたときと同じだけ沈むものとします。"
                               "カーペットや畳の上では、示した値より倒れやすくなります。")),
     "limit_body": ("Rigid bodies in space", "三次元の剛体"),
-    "limit_body_text": (("Each runs alone, under all components of the motions, until it meets another, "
-                         "and then together with that. The pieces do not bend, and what is inside them "
+    "limit_body_text": (("Each runs under all components of the motions, together with what stands on it, is "
+                         "joined to it, or stands in a row with it. What else meets is counted, and moves on "
+                         "as if the other were not there. The pieces do not bend, and what is inside them "
                          "does not move."),
-                        ("地震動のすべての成分を使い、家具どうしがぶつかるまでは1つずつ、"
-                         "ぶつかる場合は一緒に計算します。家具の変形と、中身の動きは考慮しません。")),
+                        ("地震動のすべての成分を使い、上に載っているもの、連結されているもの、列をなして並ぶもの"
+                         "とは一緒に計算します。それ以外の家具とぶつかる場合は数えるだけで、相手がないものとして"
+                         "動きを計算します。家具の変形と、中身の動きは考慮しません。")),
 }

@@ -150,6 +150,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "grade": ("The numbers of “{option}” rest on inputs of grade {letter} ({meaning}): {inputs}.",
               "「{option}」の数値の根拠は{letter}（{meaning}）です：{inputs}。"),
     "and_more": ("; and {more} more", "、ほか{more}件"),
+    "meets": (("In {fell} of {runs} runs {first} and {second} strike each other. What they do to each other "
+               "then is not followed."),
+              "計算{runs}回中{fell}回、{first}と{second}がぶつかります。その後、互いに及ぼす影響は計算していません。"),
+    "alike": (("{pieces} are of one kind: they are computed as one, and those that face the same way fall "
+               "together. Real ones differ, so that the chance that any of them falls lies between {least} "
+               "and {most} %."),
+              ("{pieces}は同じ種類なので、1つとして計算し、同じ向きのものは同時に倒れるものとします。"
+               "実際には個体差があり、どれかが倒れる確率は{least}〜{most}%です。")),
     "slides_off": (("A slide of more than {far:g} m is shown as “> {far:g} m” only: the room has no wall "
                     "on one side, so nothing stops a piece that slides or rolls off. If something would "
                     "stop it, give it as a wall."),

@@ -130,7 +130,6 @@ def verify(
         bool, typer.Option("--dropped-ceiling", help="cli_help.dropped_ceiling")
     ] = False,
     slide_limit: Annotated[float | None, typer.Option(help="cli_help.slide_limit")] = None,
-    every_run: Annotated[bool, typer.Option("--every-run", help="cli_help.every_run")] = False,
     threads: flag.ThreadsOption = None,
     lang: flag.LanguageOption = "",
 ) -> None:
@@ -165,7 +164,7 @@ def verify(
     thread_count(threads)  # refused as what it is, not as the file's
     options: dict[str, Any] = {} if over is None else {"intensity_measures": [over]}
     with checked.naming_file(), compiling():
-        verdict = compare(checked, slide_limit=limit, every_run=every_run, threads=threads, **options)
+        verdict = compare(checked, slide_limit=limit, threads=threads, **options)
     if json:
         typer.echo(verdict.to_json(), nl=False)
     elif not instead:
@@ -237,7 +236,7 @@ def _write_curves(
         name = verdict.label(result, lang) if lang == "ja" else curve.name
         sentences.append(say("cli.curve", lang, name=name, told=curve.texts))
         if curve.lognormal is not None:
-            sentences.append(f"  {say(curve.lognormal.texts, lang)}")
+            sentences.append(f"  {say(curve.lognormal_texts, lang)}")
     if measure == MMI:
         sentences.append(say("fragility.mmi_scatter", lang))
     for sentence in () if aside else sentences:

@@ -27,5 +27,6 @@ _KEYS = {name.replace("_", "-"): f"shaking.{name}" for name in _OF_SHAKING} | {
 
 FLAGS = {f"--{name}": f"--set {key}=VALUE" for name, key in _KEYS.items()} | {
     "--contact": 'simulate(…, contact="paper")',
+    "--every-run": "--set uncertainty.samples=VALUE",
     "motion info --plot": "stayput motion plot",
 }

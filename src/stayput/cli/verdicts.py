@@ -64,7 +64,7 @@ def _print_options(verdict: Verdict, lang: str) -> None:
         label = title(result.option, verdict, lang)
         falls = f"{falls} ({row.grade})"  # the grade of its inputs stands beside the number itself
         if alone:
-            last = [numbers.capacity(result.capacities.get(share), lang, brief=True) for share in SHARES]
+            last = [numbers.capacity(result.capacities.get(share), lang) for share in SHARES]
             if ends := numbers.interval(result.probabilities[OVERTURNED], lang):
                 label = with_aside(label, ends, lang)
         else:

@@ -373,7 +373,7 @@ def _in_space(of: Case) -> tuple[Carrier, Body]:
 
     coarse, scene = SpaceShaking.of(of.motion), scene_of(of.body, of.room, of.measures)
     fine = coarse.refined(parts(coarse.dt))
-    traced = trace_together(scene, fine, of.gravity, initial=of.initial, lies=ENDS)
+    traced = trace_together(scene, fine, of.gravity, initial=of.initial, stop_after_rest=ENDS)
     held = traced.bodies[0].held
     assert held is not None  # a body in its section
     return Carrier.of_trace(fine, traced, held.body.height), held.body

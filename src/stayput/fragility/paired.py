@@ -129,10 +129,34 @@ def difference(
     b, _ = checked_runs(second, missing)
     if a.shape != b.shape:
         raise not_allowed(phrase("common.shape_of", name="second"), str(b.shape), str(a.shape))
-    more, fewer = a & ~b & ~given_up, b & ~a & ~given_up
-    d, n = (more.astype(np.float64) - fewer).sum(axis=1), (~given_up).sum(axis=1).astype(np.float64)
+    motion = np.indices(a.shape)[0].ravel()
+    return difference_of_runs(a.ravel(), b.ravel(), given_up.ravel(), motion, comparisons=comparisons)
+
+
+def difference_of_runs(
+    first: NDArray[np.bool_],
+    second: NDArray[np.bool_],
+    missing: NDArray[np.bool_],
+    motion: NDArray[np.intp],
+    *,
+    comparisons: int = 1,
+) -> Difference:
+    """Return the same from pairs of runs one by one.
+
+    Parameters
+    ----------
+    first, second, missing : ndarray of bool, shape (pairs,)
+        As of `difference`.
+    motion : ndarray of int, shape (pairs,)
+        The number of each pair's motion.
+    comparisons : int
+        As of `difference`.
+    """
+    more, fewer = first & ~second & ~missing, second & ~first & ~missing
+    d = np.bincount(motion, more.astype(np.float64) - fewer).astype(np.float64)
+    n = np.bincount(motion, ~missing).astype(np.float64)
     d, n = d[n > 0.0], n[n > 0.0]
-    lost, pairs, up, down = int(given_up.sum()), int(n.sum()), int(more.sum()), int(fewer.sum())
+    lost, pairs, up, down = int(missing.sum()), int(n.sum()), int(more.sum()), int(fewer.sum())
     if pairs == 0:
         return Difference(math.nan, -1.0, 1.0, 0, 0, 0, lost)
     independent = pairs / design_effect(d, n, _WEIGHT, -1.0, up + down)

@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.special import stdtrit
 
 from stayput.catalogue import Phrase, phrase
-from stayput.errors import InputError, not_allowed, within
+from stayput.errors import not_allowed
 
 CONFIDENCE = 0.95
 """Confidence of every interval."""
@@ -298,6 +298,31 @@ def design_effect(
     return min(max(scatter / total / variance, 1.0), max(size, 1.0))
 
 
+def effect_of_residuals(
+    residuals: NDArray[np.float64],
+    runs: NDArray[np.float64],
+    expected: NDArray[np.float64],
+    motion: NDArray[np.intp],
+) -> float:
+    """Return the design effect of counts from how far they are from those expected; see `design_effect`.
+
+    Parameters
+    ----------
+    residuals, runs, expected : ndarray, shape (cells,)
+        Counts less the expected ones, runs, and the expected share.
+    motion : ndarray of int, shape (cells,)
+        The number of each cell's motion. Of one motion the effect is 1.
+    """
+    n = np.bincount(motion, runs)
+    if np.count_nonzero(n) < 2:
+        return 1.0
+    size, mean = float(n[n > 0.0].mean()), float(np.average(expected, weights=runs))
+    two_motions = _WEIGHT * (mean * mean + (1.0 - mean) ** 2)
+    scatter = float((np.bincount(motion, residuals) ** 2).sum()) + size * two_motions
+    variance = float((runs * expected * (1.0 - expected)).sum()) + two_motions
+    return min(max(scatter / variance, 1.0), max(size, 1.0))
+
+
 def wilson(k: float, n: float, quantile: float | None = None) -> tuple[float, float]:
     """Return Wilson's score interval of k of n independent runs.
 
@@ -320,48 +345,3 @@ def wilson(k: float, n: float, quantile: float | None = None) -> tuple[float, fl
     low = 0.0 if k <= 0.0 else max(middle - half, 0.0)
     high = 1.0 if k >= n else min(middle + half, 1.0)
     return low, high
-
-
-def samples_needed(current: Probability, half_width: float) -> int:
-    """Return the samples a motion, in all, for a target half-width of the interval; 0 where none reach it.
-
-    With correlation ρ = (deff − 1) / (m − 1) between the runs of a motion, m samples of M motions tell as
-    much as M m / (1 + (m − 1) ρ) independent runs (Kish 1965): never more than M / ρ, however many samples.
-
-    Parameters
-    ----------
-    current : Probability
-        The estimate so far. With one sample a motion ρ is unknown and taken as 0.
-    half_width : float
-        Target half width of the 95 % interval.
-
-    Raises
-    ------
-    InputError
-        A half width that is not between 0.001 and 0.5, or a probability without runs.
-    """
-    target = within("fragility.half_width", half_width, 1e-3, 0.5)
-    if current.runs == 0:
-        raise InputError("fragility.no_runs")
-    motions = current.motions
-    m = current.runs / motions
-    runs = independent_runs(current.estimate, target, quantile(motions, current.runs))
-    if motions == 1:
-        return math.ceil(runs)
-    rho = min((current.design_effect - 1.0) / (m - 1.0), 1.0) if m > 1.0 else 0.0
-    left = motions - runs * rho
-    return 0 if left <= 0.0 else max(math.ceil(runs * (1.0 - rho) / left), 1)
-
-
-def independent_runs(p: float, half_width: float, quantile: float) -> float:
-    """Return the number n of independent runs whose Wilson interval has a half width.
-
-    With y = 1/n and q the square of the quantile, h²(1 + q y)² = q p(1 − p) y + q² y²/4.
-    """
-    q, h = quantile**2, half_width**2
-    a, b = q * q * (h - 0.25), q * (2.0 * h - p * (1.0 - p))
-    if a == 0.0:
-        return 1.0
-    root = math.sqrt(max(b * b - 4.0 * a * h, 0.0))
-    y = (-b - root) / (2.0 * a)
-    return max(1.0 / y, 1.0)

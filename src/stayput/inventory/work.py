@@ -23,9 +23,9 @@ from stayput.inventory.folder import OUTCOMES
 from stayput.inventory.results import GROUND
 from stayput.inventory.shakemap import GroundLevel
 from stayput.inventory.store import OutcomeStore, Store, ground_of, record_type
-from stayput.montecarlo.counting import OVERTURNED, Outcomes, Quantiles
+from stayput.montecarlo.counting import OVERTURNED, Members, Outcomes, Quantiles
 from stayput.montecarlo.runs import run_prepared
-from stayput.montecarlo.sampling import DrawTable, Rows, Settings, draws, rows_of, sample_until_precise
+from stayput.montecarlo.sampling import DrawTable, Rows, Settings, draws, rows_of
 from stayput.montecarlo.scaled_motions import PreparedFloor, ScaledMotions
 from stayput.saved import from_text
 from stayput.verification.contents import first_draws, share_out, spilt_under
@@ -37,6 +37,9 @@ if TYPE_CHECKING:
     from stayput.model.body import Body
     from stayput.model.room import Room
     from stayput.scenario.tables import BuildingTable
+
+FIRST_SAMPLES = 4
+"""Samples of each motion after which it is first looked whether a unit is as precise as asked."""
 
 SECONDS = 1.0
 """Wanted time of a task [s]: long beside the cost of handing it on, short beside the wait for the last."""
@@ -96,11 +99,21 @@ def evaluate(
         drawn = _draws(settings.motions, samples, settings.seed, start, as_stated=settings.as_stated)
         rows = [_rows_or_none(*pieces[place][:2], option, drawn, settings.gravity) for place in places]
         possible = [row for row in rows if row is not None]
-        outcomes = iter(run_prepared(possible, floor) if possible else ())
-        return [Outcomes.impossible(drawn.shape) if row is None else next(outcomes) for row in rows]
+        outcomes = iter(run_prepared(possible, floor, start) if possible else ())
+        none = Outcomes.impossible(Members.of_samples(settings.motions, samples, start))
+        return [none if row is None else next(outcomes) for row in rows]
 
-    outcomes, _, _ = sample_until_precise(len(units), settings, run, together=False)
-    for place, (outcome, (body, room, contents)) in enumerate(zip(outcomes, pieces, strict=True)):
+    parts: list[list[Outcomes]] = [[] for _ in units]
+    going: list[int] = [*range(len(units))]
+    done, precision = 0, settings.precision
+    while going and done < settings.samples:
+        count = settings.samples if precision is None else min(settings.samples, max(FIRST_SAMPLES, 2 * done))
+        for place, outcomes in zip(going, run(going, count - done, done), strict=True):
+            parts[place] = [Outcomes.joined([*parts[place], outcomes])]
+        done = count
+        if precision is not None:
+            going = [n for n in going if parts[n][0].probability_of_overturning().half_width > precision]
+    for place, ((outcome,), (body, room, contents)) in enumerate(zip(parts, pieces, strict=True)):
         fill_record(records[place : place + 1], outcome, settings.slide_limit)
         if contents is not None:
             records["out"][place] = _share_out(body, room, contents, option, floor, settings)
@@ -145,11 +158,11 @@ def fill_record(out: NDArray[np.void], outcomes: Outcomes, slide_limit: float) -
     upright = outcomes.slide[~outcomes.missing & ~outcomes.overturned]
     mean = float(upright.sum() / len(upright)) if len(upright) else np.nan
     out["slide"][0] = (slide.median, slide.p90, mean)
-    motions, samples = outcomes.missing.shape
     planes, rows, columns = out["each"].shape[1:]
     each = np.zeros((planes, rows, 8 * columns), np.bool_)
     each[-1] = True
-    each[:, :motions, :samples] = (*outcomes.happened(slide_limit), outcomes.missing)
+    members = outcomes.members
+    each[:, members.motion, members.sample] = (*outcomes.happened(slide_limit), outcomes.missing)
     out["each"][0] = np.packbits(each, axis=-1)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field, fields
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
@@ -203,9 +204,7 @@ class Body(Shapes, Brief):
         InputError
             No length.
         """
-        from stayput.model.flat_fields import row_alone
-
-        return self.shape or Solid.of_case(row_alone(self))
+        return self.shape or _solid_of(self)
 
     @property
     def uniform_inertia(self) -> float:
@@ -427,3 +426,11 @@ FURNITURE: dict[str, Preset] = {
 """Pieces of furniture by name: typical Japanese sizes; masses in the middle of the usual range; bases as such
 pieces commonly have: plinths and side boards, adjustable feet or casters. A television may stand on a plate.
 """
+
+
+@lru_cache(maxsize=256)
+def _solid_of(body: Body) -> Solid:
+    """Return the shape and mass in space of a body that is made by its section; options share bodies."""
+    from stayput.model.flat_fields import row_alone
+
+    return Solid.of_case(row_alone(body))

@@ -1,16 +1,10 @@
-"""Simulating Monte Carlo samples: at one level of shaking, and at many for fragility curves.
-
-At many levels the runs whose outcome others tell are not made: a draw that stands at one level is taken to
-stand at all weaker ones, and one that falls to fall at all stronger ones, so that a search finds where it
-begins to. Rocking is not monotonic in the intensity, so this is no theorem but a rule; it is wrong both ways
-about equally often. `benchmarks/verification.py` counts that, and the manual has the table.
-"""
+"""Simulating Monte Carlo samples in the plane, also to find from which level on each draw falls."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from stayput.measures.element import failed, utilisation
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
 from stayput.mechanics.runner import no_elements
-from stayput.montecarlo.counting import Outcomes
+from stayput.montecarlo.counting import Members, Outcomes
 from stayput.simulation.many import run_columns, run_rows
 
 if TYPE_CHECKING:
@@ -32,19 +26,19 @@ class Runs(Outcomes):
 
     Parameters
     ----------
-    devices : ndarray of DEVICE, shape (motions, samples, elements)
+    devices : ndarray of DEVICE, shape (runs, elements)
         Peaks and failure of each device, per unit mass.
-    used : ndarray, shape (motions, samples, elements)
+    used : ndarray, shape (runs, elements)
         Utilisation of each device: its largest peak force over its strength.
-    masses : ndarray, shape (motions, samples)
+    masses : ndarray, shape (runs,)
         By what forces are multiplied: the mass of the body [kg], or 1 where they are in newtons.
-    results : ndarray of RESULT, shape (motions, samples, bodies)
+    results : ndarray of RESULT, shape (runs, bodies)
         What became of each piece; of those that count together any overturned or hit a wall, and slide and
         tilt are the largest of theirs.
     hits, blocked, shut_in : ndarray
-        What happened in a room by motion and sample, to nobody and no door where it has no plan; see
-        `stayput.montecarlo.scenes.Seen`.
-    tracks : ndarray of Track, shape (motions, samples, bodies)
+        What happened in a room by run, to nobody and no door where it has no plan; see
+        `stayput.montecarlo.scenes.RoomEvents`.
+    tracks : ndarray of Track, shape (runs, bodies)
         Where each piece was; of no body where that was not kept.
     """
 
@@ -57,62 +51,68 @@ class Runs(Outcomes):
     shut_in: NDArray[np.bool_]
     tracks: NDArray[np.object_]
 
+    @property
+    def outcomes(self) -> Outcomes:
+        """The outcomes alone."""
+        return Outcomes(*(getattr(self, field.name) for field in fields(Outcomes)))
+
     def of_bodies(self) -> Iterator[Outcomes]:
         """Yield the outcomes of each of the pieces."""
         for results in np.moveaxis(self.results, -1, 0):
-            yield Outcomes.of(results, self.device_failed)
+            yield Outcomes.of(self.members, results, self.device_failed)
 
 
 def run_level(
     rows: Sequence[Rows],
     floors: FloorMotions,
+    members: Members | None = None,
     *,
     threads: int | None = None,
     progress: Callable[[int], None] | None = None,
 ) -> list[Runs]:
-    """Run several pieces or sets of measures at one level together, so that all threads are busy.
+    """Run several pieces or sets of measures together, so that all threads are busy.
 
     Parameters
     ----------
     rows : sequence of Rows
-        The cases of each.
+        The cases of each, all with the same members.
     floors : FloorMotions
         The motions.
+    members : Members, optional
+        The runs; by default the draws of one motion after those of the other, as many of each.
     threads : int, optional
-        As many as there are cores by default.
+        As many as there are cores by default. The bits do not depend on them.
     progress : callable, optional
         Called with the number of runs just done; an exception that it raises stops the work.
     """
-    motions = len(floors.motions)
-    cases, elements, motion = joined_rows(rows, motions)
+    count = len(rows[0].cases)
+    made = Members.of_samples(floors.each, count // floors.each) if members is None else members
+    cases, elements = joined_rows(rows)
+    motion = np.tile(floors.place(made), len(rows))
     results, devices = _ran(cases, elements, motion, floors, threads, progress)
     broken = failed(elements, devices).sum(axis=-1) > 0
-    runs: list[Runs] = []
-    start = 0
-    for piece_rows in rows:
-        part = slice(start, start + len(piece_rows.cases))
-        runs.append(_runs(piece_rows, results[part], devices[part], broken[part], motions))
-        start = part.stop
-    return runs
+    parts = (slice(first, first + count) for first in range(0, len(cases), count))
+    return [
+        _runs(piece_rows, made, results[part], devices[part], broken[part])
+        for piece_rows, part in zip(rows, parts, strict=True)
+    ]
 
 
 def _ran(
     cases: NDArray[np.void],
     elements: NDArray[np.void],
-    motion: NDArray[np.int64],
+    motion: NDArray[np.intp],
     floors: FloorMotions,
     threads: int | None,
     progress: Callable[[int], None] | None,
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
-    """Run cases under the motions of a level, each under that of its number."""
+    """Run cases, each under the motion of its number."""
     cases["scale"] = floors.scales[motion]
     return run_columns(cases, elements, floors.motions, motion, threads=threads, on_progress=progress)
 
 
-def joined_rows(
-    rows: Sequence[Rows], motions: int
-) -> tuple[NDArray[np.void], NDArray[np.void], NDArray[np.int64]]:
-    """Return the cases of several pieces, their devices and the number of each one's motion."""
+def joined_rows(rows: Sequence[Rows]) -> tuple[NDArray[np.void], NDArray[np.void]]:
+    """Return the cases of several pieces, and their devices."""
     cases = np.concatenate([piece_rows.cases for piece_rows in rows])
     # all sets of measures as one column, padded with elements that do nothing
     elements = no_elements(max(piece_rows.elements.shape[1] for piece_rows in rows), len(cases))
@@ -121,25 +121,26 @@ def joined_rows(
         stop = start + len(piece_rows.cases)
         elements[start:stop, : piece_rows.elements.shape[1]] = piece_rows.elements
         start = stop
-    motion = [np.repeat(np.arange(motions), len(piece_rows.cases) // motions) for piece_rows in rows]
-    return cases, elements, np.concatenate(motion)
+    return cases, elements
 
 
 def _runs(
-    rows: Rows, results: NDArray[np.void], devices: NDArray[np.void], broken: NDArray[np.bool_], motions: int
+    rows: Rows,
+    members: Members,
+    results: NDArray[np.void],
+    devices: NDArray[np.void],
+    broken: NDArray[np.bool_],
 ) -> Runs:
-    shape = (motions, len(results) // motions)
-    count, nothing = rows.elements.shape[1], np.zeros((*shape, 0), np.bool_)
-    used = utilisation(rows.elements, devices[:, :count])
+    count, nothing = rows.elements.shape[1], np.zeros((len(members), 0), np.bool_)
     without_free_slide(results, rows.free_slide)
-    outcomes = Outcomes.of(results.reshape(shape), broken.reshape(shape))
+    outcomes = Outcomes.of(members, results, broken)
     return Runs(
         **{field.name: getattr(outcomes, field.name) for field in fields(Outcomes)},
-        devices=devices[:, :count].reshape((*shape, count)),
-        used=used.reshape((*shape, count)),
-        masses=rows.masses.reshape(shape),
-        results=results.reshape((*shape, 1)),
-        hits=np.zeros((*shape, 0, 1, 4)),
+        devices=devices[:, :count],
+        used=utilisation(rows.elements, devices[:, :count]),
+        masses=rows.masses,
+        results=results[:, np.newaxis],
+        hits=np.zeros((len(members), 0, 1, 4)),
         blocked=nothing,
         shut_in=nothing,
         tracks=nothing.astype(object),
@@ -151,7 +152,7 @@ def without_free_slide(results: NDArray[np.void], free_slide: ArrayLike) -> None
     results["peak_slide"] = np.maximum(results["peak_slide"] - free_slide, 0.0)
 
 
-def run_prepared(rows: Sequence[Rows], floor: PreparedFloor) -> list[Outcomes]:
+def run_prepared(rows: Sequence[Rows], floor: PreparedFloor, start: int = 0) -> list[Outcomes]:
     """Run several pieces with the same number of devices on this thread.
 
     Parameters
@@ -160,23 +161,28 @@ def run_prepared(rows: Sequence[Rows], floor: PreparedFloor) -> list[Outcomes]:
         The cases of each piece; at least one.
     floor : PreparedFloor
         The motions.
+    start : int
+        How many samples of each motion come before these.
     """
     motions = len(floor.shakings)
-    shape = (motions, len(rows[0].cases) // motions)
-    cases = np.stack([piece_rows.cases.reshape(shape) for piece_rows in rows])
-    elements = np.stack([piece_rows.elements.reshape((*shape, -1)) for piece_rows in rows])
+    samples = len(rows[0].cases) // motions
+    members = Members.of_samples(motions, samples, start)
+    cases = np.stack([piece_rows.cases for piece_rows in rows])
+    elements = np.stack([piece_rows.elements for piece_rows in rows])
     results: list[NDArray[np.void]] = []
     broken: list[NDArray[np.bool_]] = []
     for motion, shaking in enumerate(floor.shakings):
-        motion_cases = np.ascontiguousarray(cases[:, motion]).ravel()
+        of_motion = slice(motion * samples, (motion + 1) * samples)
+        motion_cases = cases[:, of_motion].ravel()
         motion_cases["scale"] = floor.scales[motion]
-        motion_elements = np.ascontiguousarray(elements[:, motion]).reshape(len(motion_cases), -1)
+        motion_elements = np.ascontiguousarray(elements[:, of_motion]).reshape(len(motion_cases), -1)
         result, devices = run_rows(motion_cases, motion_elements, shaking)
         results.append(result.reshape(len(rows), -1))
         broken.append((failed(motion_elements, devices).sum(axis=-1) > 0).reshape(len(rows), -1))
-    of_pieces = np.stack(results, axis=1)
-    without_free_slide(of_pieces, np.array([piece_rows.free_slide for piece_rows in rows])[:, None, None])
-    return [Outcomes.of(*each) for each in zip(of_pieces, np.stack(broken, axis=1), strict=True)]
+    of_pieces = np.concatenate(results, axis=1)
+    without_free_slide(of_pieces, np.array([piece_rows.free_slide for piece_rows in rows])[:, np.newaxis])
+    any_broken = np.concatenate(broken, axis=1)
+    return [Outcomes.of(members, of_pieces[k], any_broken[k]) for k in range(len(rows))]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -193,125 +199,49 @@ class Falls:
     missing: NDArray[np.bool_]
 
 
-Known: TypeAlias = "tuple[NDArray[np.float64], Outcomes]"
-"""JMA intensities of the ground at another shaking, shape (motions,), and what became of the runs there."""
-
-
 def run_levels(
     rows: Sequence[Rows],
     levels: NDArray[np.float64],
     floors_at: Callable[[float], FloorMotions],
     *,
-    known: Sequence[Known] = (),
-    every_run: bool = False,
     threads: int | None = None,
     progress: Callable[[int], None] | None = None,
-) -> tuple[list[Falls], int]:
-    """Run several pieces or sets of measures in the plane at many levels.
+) -> list[Falls]:
+    """Find from which level on each draw of several pieces falls in the plane.
+
+    A draw that stands at one level is taken to stand at all weaker ones, and one that falls to fall at all
+    stronger ones. Rocking is not monotonic in the intensity, so that this is no theorem but a rule, which is
+    wrong both ways about equally often.
 
     Parameters
     ----------
     rows : sequence of Rows
         The cases of each.
-    levels, known, every_run, progress
-        As for `settled_levels`, which returns the same.
-    floors_at : callable
-        Returns the motions at a level; called as it is needed.
-    threads : int, optional
-        As many as there are cores by default. The bits do not depend on them.
-    """
-    motions = len(floors_at(float(levels[-1])).motions)
-    cases, elements, motion = joined_rows(rows, motions)
-    shape = (len(rows), motions, len(cases) // (len(rows) * motions))
-
-    def run(level: float, wanted: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        chosen = np.flatnonzero(wanted)
-        results, _ = _ran(
-            cases[chosen], elements[chosen], motion[chosen], floors_at(level), threads, progress
-        )
-        outcomes = np.zeros(len(cases), np.int64)
-        outcomes[chosen] = results["outcome"]
-        outcomes = outcomes.reshape(shape)
-        return outcomes == OVERTURNED_OUTCOME, outcomes == FAILED_OUTCOME
-
-    return settled_levels(shape, levels, run, known=known, every_run=every_run, progress=progress)
-
-
-def settled_levels(
-    shape: tuple[int, int, int],
-    levels: NDArray[np.float64],
-    run: Callable[[float, NDArray[np.bool_]], tuple[NDArray[np.bool_], NDArray[np.bool_]]],
-    *,
-    known: Sequence[Known] = (),
-    every_run: bool = False,
-    progress: Callable[[int], None] | None = None,
-) -> tuple[list[Falls], int]:
-    """Find from which level on each draw falls; the levels beside that are settled without a run.
-
-    Parameters
-    ----------
-    shape : tuple of int
-        Pieces or options, motions, and samples of each.
     levels : ndarray, shape (levels,)
         JMA intensities of the ground, increasing; at least one.
-    run : callable
-        Runs some draws (bool, of the shape) at a level; returns of all what overturned and what was given up.
-    known : sequence of Known, optional
-        What became of each at another shaking.
-    every_run : bool
-        Whether all runs are made, those too whose outcome others tell.
-    progress : callable, optional
-        Called with the number of runs just settled; an exception that it raises stops the work.
-
-    Returns
-    -------
-    tuple
-        The falls of each, and how many runs were made for them.
+    floors_at : callable
+        Returns the motions at a level; called as it is needed.
+    threads, progress
+        As for `run_level`.
     """
-    number = np.arange(len(levels)).reshape(-1, 1, 1, 1)
-    missing = np.zeros((len(levels), *shape), np.bool_)
-    made = settled = 0
-
-    def ran(place: int, chosen: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        nonlocal made
-        made += int(chosen.sum())
-        fell, lost = run(float(levels[place]), chosen)
-        return chosen & fell & ~lost, chosen & lost
-
-    def falls(overturned: NDArray[np.bool_]) -> list[Falls]:
-        return [Falls(overturned[:, option], missing[:, option]) for option in range(shape[0])]
-
-    if every_run:
-        overturned = np.zeros_like(missing)
-        for place in range(len(levels)):
-            overturned[place], missing[place] = ran(place, np.ones(shape, np.bool_))
-        return falls(overturned), made
+    motions = len(floors_at(float(levels[-1])).motions)
+    cases, elements = joined_rows(rows)
+    motion = np.tile(np.repeat(np.arange(motions), len(rows[0].cases) // motions), len(rows))
+    number = np.arange(len(levels))[:, np.newaxis]
+    missing = np.zeros((len(levels), len(cases)), np.bool_)
     # the strongest level at which a draw is known to stand, and the weakest at which to fall
-    low, high, step = np.full(shape, -1), np.full(shape, len(levels)), 1
-    for option, (intensities, outcomes) in enumerate(known):
-        below, above = (
-            np.searchsorted(levels, intensities, side)[:, np.newaxis] for side in ("right", "left")
-        )
-        low[option] = np.where(~outcomes.overturned & ~outcomes.missing, below - 1, -1)
-        high[option] = np.where(outcomes.overturned & ~outcomes.missing, above, len(levels))
-    while True:
-        open_levels = np.maximum(high - low - 1, 0)
-        more = missing.size - int(open_levels.sum()) - made - settled
-        if progress is not None and more:
-            progress(more)
-        settled += more
-        if not open_levels.any():
-            return falls(number >= high), made
+    low, high = np.full(len(cases), -1), np.full(len(cases), len(levels))
+    while (high - low > 1).any():
         middle = (low + high) // 2
-        if known:  # most draws change near the shaking that is known: one level from there, then two, four
-            rises, sinks = (low >= 0) & (high == len(levels)), (low < 0) & (high < len(levels))
-            middle = np.where(rises, np.minimum(low + step, len(levels) - 1), middle)
-            middle = np.where(sinks, np.maximum(high - step, 0), middle)
-            step *= 2
-        for place in np.unique(middle[open_levels > 0]).tolist():
-            chosen = (open_levels > 0) & (middle == place)
-            fell, lost = ran(place, chosen)
+        for place in np.unique(middle[high - low > 1]).tolist():
+            chosen = np.flatnonzero((high - low > 1) & (middle == place))
+            floors = floors_at(float(levels[place]))
+            results, _ = _ran(cases[chosen], elements[chosen], motion[chosen], floors, threads, progress)
+            fell, lost = (results["outcome"] == which for which in (OVERTURNED_OUTCOME, FAILED_OUTCOME))
             # of a run that is given up nothing is known at the levels that are still open
-            missing |= lost & (low < number) & (number < high)
-            low = np.where(lost, high - 1, np.where(chosen & ~fell, place, low))
-            high = np.where(fell, place, high)
+            missing[:, chosen] |= lost & (low[chosen] < number) & (number < high[chosen])
+            low[chosen] = np.where(lost, high[chosen] - 1, np.where(fell, low[chosen], place))
+            high[chosen[fell]] = place
+    shape = len(levels), len(rows), motions, -1
+    each = (np.moveaxis(flags.reshape(shape), 1, 0) for flags in (number >= high, missing))
+    return [Falls(*of_piece) for of_piece in zip(*each, strict=True)]

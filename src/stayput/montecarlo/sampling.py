@@ -7,14 +7,13 @@ differences between measures are not blurred by chance.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass, fields, replace
-from typing import TYPE_CHECKING, Self, TypeVar
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from stayput.fragility.probabilities import Probability, samples_needed
 from stayput.measures import Measure, element_rows, hold
 from stayput.measures.wall import REACH
 from stayput.mechanics.runner import no_elements
@@ -27,13 +26,10 @@ from stayput.uncertainty import QUANTITIES, Uncertainty
 if TYPE_CHECKING:
     from stayput.measures.measure import Held
     from stayput.model.room import Wall
-    from stayput.montecarlo.counting import Outcomes
+    from stayput.montecarlo.counting import Members
     from stayput.scenario import Scenario
 
 INSETS = ("back_inset", "front_inset")
-
-FIRST_SAMPLES = 4
-"""Samples of each motion before the precision is checked for the first time."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +63,11 @@ class Settings:
     gravity: float
     as_stated: tuple[str, ...]
     quantities: Uncertainty = QUANTITIES
+
+    @property
+    def runs(self) -> int:
+        """Most runs."""
+        return self.motions * self.samples
 
     @classmethod
     def of(cls, scenario: Scenario, motions: int, slide_limit: float) -> Self:
@@ -128,6 +129,11 @@ class DrawTable:
         """Motions, and samples of each."""
         motions, samples = self.columns["mass"].shape
         return motions, samples
+
+    def of(self, members: Members) -> DrawTable:
+        """Return the draw of each run, shape (runs, 1)."""
+        place = members.motion, members.sample
+        return DrawTable({name: column[place][:, np.newaxis] for name, column in self.columns.items()})
 
     def __len__(self) -> int:
         return len(self.columns["mass"])
@@ -355,73 +361,3 @@ def rows_of(
     numbers |= {path: np.array([row[path] for row in leaf_rows]) for path in leaf_rows[0]}
     masses, elements = np.array([fixed.body.mass for fixed, _ in each]), np.stack([rows for _, rows in each])
     return Rows(case_rows(numbers, count), elements, masses, held.free_slide)
-
-
-OutcomesT = TypeVar("OutcomesT", bound="Outcomes")
-
-
-def sample_until_precise(
-    count: int,
-    settings: Settings,
-    run: Callable[[list[int], int, int], Sequence[OutcomesT]],
-    *,
-    together: bool,
-    first: int = FIRST_SAMPLES,
-    on_batch: Callable[[list[OutcomesT], int], object] | None = None,
-) -> tuple[list[OutcomesT], int, bool]:
-    """Run batches of samples, each doubling their number, until the probabilities are as precise as asked.
-
-    Parameters
-    ----------
-    count : int
-        How many items are sampled: sets of measures, or pieces.
-    settings : Settings
-        The asked precision, and the most samples.
-    run : callable
-        Given the places of the items that go on, a number of samples of each motion and how many samples were
-        run before, returns their outcomes.
-    together : bool
-        Whether all items go on until the last one is precise enough, so that they can be compared sample by
-        sample; else each stops by itself.
-    first : int
-        Samples of each motion of the first batch.
-    on_batch : callable, optional
-        Called after each batch but the last with the outcomes so far and the samples of each motion; where no
-        precision is asked, all samples are one batch without it.
-
-    Returns
-    -------
-    tuple
-        The outcomes of each item, the samples of the item that has the most, and whether all have the asked
-        precision.
-    """
-    outcomes: list[list[OutcomesT]] = [[] for _ in range(count)]
-    joined: dict[int, OutcomesT] = {}
-    active: list[int] = list(range(count))
-    done = 0
-    precise = True
-    chances: dict[int, Probability] = {}
-    most, precision = settings.samples, settings.precision
-    while active:
-        at_once = precision is None and on_batch is None
-        wanted = most if at_once else min(most, max(first, 2 * done))
-        for place, outcome in zip(active, run(active, wanted - done, done), strict=True):
-            outcomes[place].append(outcome)
-            joined[place] = type(outcome).joined(outcomes[place])
-        done = wanted
-        if on_batch is not None and done < most:
-            on_batch([joined[place] for place in range(count)], done)
-        if precision is None:
-            if done < most:
-                continue
-            break
-        chances |= {place: joined[place].probability_of_overturning() for place in active}
-        known = (place for place in active if chances[place].runs)
-        more = [place for place in known if samples_needed(chances[place], precision) > done]
-        if done >= most or not more:
-            precise = not more and all(
-                chance.runs > 0 and samples_needed(chance, precision) > 0 for chance in chances.values()
-            )
-            break
-        active = active if together else more
-    return [joined[place] for place in range(count)], done, precise

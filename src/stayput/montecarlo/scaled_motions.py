@@ -26,6 +26,7 @@ from stayput.simulation.many import plane_shaking
 
 if TYPE_CHECKING:
     from stayput.mechanics.runner import Shaking
+    from stayput.montecarlo.counting import Members
     from stayput.motion.record import Motion
     from stayput.motion.suites.suite import Suite
     from stayput.scenario import Scenario
@@ -76,7 +77,7 @@ class PreparedFloor:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FloorMotions:
-    """The motions under the furniture at one level.
+    """The motions under the furniture at one level, or at several, one level after the other.
 
     Parameters
     ----------
@@ -89,12 +90,35 @@ class FloorMotions:
     floor : str
         The upper floors that the motions were stated for, if they are not of the ground: intensities are
         then by the formula alone, and there is no PGA and no PGV.
+    levels : int
+        How many levels there are.
     """
 
     motions: tuple[Motion, ...]
     scales: NDArray[np.float64]
     measures: dict[IntensityMeasure, NDArray[np.float64]]
     floor: str = ""
+    levels: int = 1
+
+    @classmethod
+    def joined(cls, levels: Sequence[FloorMotions]) -> FloorMotions:
+        """Return the motions of several levels."""
+        return cls(
+            tuple(motion for each in levels for motion in each.motions),
+            np.concatenate([each.scales for each in levels]),
+            {im: np.concatenate([each.measures[im] for each in levels]) for im in levels[0].measures},
+            levels[0].floor,
+            len(levels),
+        )
+
+    @property
+    def each(self) -> int:
+        """How many motions there are at each level."""
+        return len(self.motions) // self.levels
+
+    def place(self, members: Members) -> NDArray[np.intp]:
+        """Return the place of the motion of each run."""
+        return members.level * self.each + members.motion
 
     @property
     def median_intensity(self) -> float:

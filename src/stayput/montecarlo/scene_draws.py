@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
+from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.measures.wall import REACH
 from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room
 from stayput.montecarlo.sampling import AS_STATED, INSETS, Draw, drawn_body, drawn_place, drawn_surfaces
+from stayput.simulation.placement import ORIGIN, Placement
 from stayput.simulation.placing import planes_around, room_seen
 from stayput.simulation.scene import STRENGTH_RANGE, Scene
 from stayput.simulation.space_engine import SpaceShaking
-from stayput.uncertainty import QUANTITIES, Marginal, Uncertainty, Uniform
+from stayput.uncertainty import Marginal, Uncertainty, Uniform
 
 if TYPE_CHECKING:
     from stayput.motion.record import Motion
@@ -29,8 +32,8 @@ LIKE = {"between": "friction", "joints": "strength"}
 """Quantities of several pieces that are drawn like one of `Draw`: friction between them, and joints."""
 
 
-class DrawOfSeveral(NamedTuple):
-    """One draw of what is uncertain of several pieces in a room.
+class SceneDraw(NamedTuple):
+    """One draw of what is uncertain of a scene.
 
     Parameters
     ----------
@@ -57,86 +60,78 @@ class DrawOfSeveral(NamedTuple):
         """What is drawn of the room."""
         return self.pieces[0]
 
-    def of(self, bodies: Sequence[int]) -> DrawOfSeveral:
-        """Return the draw of some of the pieces by themselves."""
-        return self._replace(pieces=tuple(self.pieces[body] for body in bodies))
 
+class SceneDraws:
+    """Draws of what is uncertain of the pieces of a scenario, made when they are asked for.
 
-def draws_of_several(
-    pieces: int,
-    motions: int,
-    samples: int,
-    seed: int,
-    start: int = 0,
-    *,
-    as_stated: Collection[str] = (),
-    quantities: Uncertainty = QUANTITIES,
-    direction: float | None = 0.0,
-    facing: float = 0.0,
-) -> list[list[DrawOfSeveral]]:
-    """Return the draws of every motion; those of a piece depend on its number, and on no piece after it.
-
-    Those of the first piece are those of `stayput.montecarlo.sampling.draws`, which are of a lone piece.
+    Pieces of one body are of one kind, and have the same draws.
 
     Parameters
     ----------
-    pieces : int
+    scenario : Scenario
+        What stands where.
+    motions : int
         How many there are.
-    motions, samples, seed, start, as_stated, quantities
-        As for `stayput.montecarlo.sampling.draws`.
-    direction : float, optional
-        Where the motion's x points in plan [rad]; None draws it.
-    facing : float
-        Where the axes point in plan, along which the pieces are [rad].
     """
-    usual = quantities.marginals
-    like = {name: usual[quantity] for name, quantity in LIKE.items()}
-    turned = Uniform(0.0, 2.0 * math.pi)
 
-    def drawn(distributions: dict[str, Marginal], stream: str = "") -> list[list[dict[str, float]]]:
-        columns = Uncertainty(distributions).sample(
-            samples, seed, motions=motions, start=start, stream=stream
-        )
-        for name in columns:
-            if LIKE.get(name, name) in as_stated:
-                columns[name] = np.full((motions, samples), getattr(AS_STATED, LIKE.get(name, name)))
-        rows = zip(*(column.ravel().tolist() for column in columns.values()), strict=True)
-        each = [dict(zip(columns, row, strict=True)) for row in rows]
-        return [each[motion * samples : (motion + 1) * samples] for motion in range(motions)]
+    def __init__(self, scenario: Scenario, motions: int) -> None:
+        stated = scenario.uncertainty
+        self._scenario, self._motions = scenario, motions
+        self._seed, self._as_stated = stated.seed, stated.as_stated
+        self._usual = dict(stated.quantities.marginals)
+        self._columns: dict[str, dict[str, NDArray[np.float64]]] = {}
 
-    shared = drawn({**usual, **like, "direction": turned})
-    further = [drawn({name: usual[name] for name in OWN}, str(number)) for number in range(1, pieces)]
+    @cached_property
+    def kinds(self) -> tuple[int, ...]:
+        """Of each piece the number of its kind."""
+        bodies = [piece.body for piece in self._scenario.scene().pieces]
+        different = [body for number, body in enumerate(bodies) if body not in bodies[:number]]
+        return tuple(different.index(body) for body in bodies)
 
-    def draw(motion: int, sample: int) -> DrawOfSeveral:
-        values = dict(shared[motion][sample])
-        between, joints, lean, towards = (values.pop(name) for name in (*LIKE, "lean", "direction"))
-        each = [{}, *(columns[motion][sample] for columns in further)]
-        of_pieces = tuple(Draw(**values | columns, lean=0.0) for columns in each)
-        points = towards if direction is None else direction
-        return DrawOfSeveral(of_pieces, between, joints, lean, points - facing)
+    def streams(self, group: Sequence[int]) -> tuple[str, ...]:
+        """Return the names of the draws of pieces that run together: copies there have draws of their own."""
+        each = [self.kinds[number] for number in group]
+        copies = [each[:place].count(kind) for place, kind in enumerate(each)]
+        return tuple(f"{kind}.{copy}" if copy else str(kind) for kind, copy in zip(each, copies, strict=True))
 
-    return [[draw(motion, sample) for sample in range(samples)] for motion in range(motions)]
+    def prepare(self, draw: int) -> None:
+        """Draw all up to one of a number, before threads ask for it."""
+        for stream in {"", *self._columns}:
+            self._drawn(stream, draw)
+
+    def draw(self, motion: int, number: int, streams: Sequence[str], axes: Placement = ORIGIN) -> SceneDraw:
+        """Return a draw for pieces of some streams, its direction as it is seen along axes in the scene."""
+        shared = {name: float(column[motion, number]) for name, column in self._drawn("", number).items()}
+        between, joints, lean, towards = (shared.pop(name) for name in (*LIKE, "lean", "direction"))
+        of_pieces = list[Draw]()
+        for stream in streams:
+            columns = self._drawn(stream, number) if stream != "0" else {}
+            values = shared | {name: float(column[motion, number]) for name, column in columns.items()}
+            of_pieces.append(Draw(**values, lean=0.0))
+        points = towards if self._scenario.points is None else self._scenario.points
+        direction = points - self._scenario.facing - axes.heading
+        return SceneDraw(tuple(of_pieces), between, joints, lean, direction)
+
+    def _drawn(self, stream: str, draw: int) -> dict[str, NDArray[np.float64]]:
+        """Return the draws of a stream, at least up to one of a number; that without a name is the room's."""
+        known = self._columns.get(stream, {})
+        done = known["mass"].shape[1] if known else 0
+        if draw >= done:
+            usual = self._usual
+            like = {name: usual[quantity] for name, quantity in LIKE.items()}
+            turned = {"direction": Uniform(0.0, 2.0 * math.pi)}
+            shared: dict[str, Marginal] = {**usual, **like, **turned}
+            marginals = {name: usual[name] for name in OWN} if stream else shared
+            count = max(2 * done, draw + 1)  # doubled, as each call draws those before again
+            columns = Uncertainty(marginals).sample(count, self._seed, motions=self._motions, stream=stream)
+            for name in columns:
+                if LIKE.get(name, name) in self._as_stated:
+                    columns[name] = np.full_like(columns[name], getattr(AS_STATED, LIKE.get(name, name)))
+            self._columns[stream] = known = columns
+        return known
 
 
-def draws_of_scenario(
-    scenario: Scenario, motions: int, samples: int, start: int = 0
-) -> list[list[DrawOfSeveral]]:
-    """Return the draws of what a scenario states, along the axes of what stands; see `draws_of_several`."""
-    stated = scenario.uncertainty
-    return draws_of_several(
-        len(scenario.pieces),
-        motions,
-        samples,
-        stated.seed,
-        start,
-        as_stated=stated.as_stated,
-        quantities=stated.quantities,
-        direction=scenario.points,
-        facing=scenario.facing,
-    )
-
-
-def drawn_scene(scene: Scene, draw: DrawOfSeveral) -> Scene:
+def drawn_scene(scene: Scene, draw: SceneDraw) -> Scene:
     """Return a scene as drawn, its walls too; its products were bought for the pieces as stated."""
     pieces = [_drawn_piece(piece, drawn) for piece, drawn in zip(scene.pieces, draw.pieces, strict=True)]
     static, kinetic = (min(draw.between * mu, FRICTION_RANGE[1]) for mu in scene.friction)
@@ -176,7 +171,7 @@ def _drawn_room(scene: Scene, draw: Draw) -> Room:
     return drawn_surfaces(drawn, draw)
 
 
-def drawn_shaking(motion: Motion, scale: float, draw: DrawOfSeveral, gravity: float) -> SpaceShaking:
+def drawn_shaking(motion: Motion, scale: float, draw: SceneDraw, gravity: float) -> SpaceShaking:
     """Return the motion of a floor times a scale, its x turned in plan as drawn.
 
     A floor that leans by a small angle is also shaken by −g sin(lean) along x, whatever stands on it: what a

@@ -1,67 +1,35 @@
-"""Monte Carlo runs of scenes: what became of all pieces under each draw.
-
-Pieces run alone until they meet (see `stayput.simulation.groups`), so that what a group does serves every
-option that leaves it as it is.
-"""
+"""Monte Carlo runs of scenes, composed of the runs of a library: what became of each piece in each."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import replace
-from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from stayput.execution import Pool
-from stayput.measures.element import utilisation
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import HOLDS
-from stayput.montecarlo.runs import Runs, without_free_slide
-from stayput.montecarlo.sampling import drawn_floor
-from stayput.montecarlo.scene_draws import DrawOfSeveral, drawn_scene, drawn_shaking, draws_of_scenario
-from stayput.simulation.groups import Group, Track, groups_at_first, run_in_groups
-from stayput.simulation.space import ENDS, names_of, results_of, run_of_trace, trace_groups, trace_together
-from stayput.simulation.space_engine import STEP, SpaceShaking
+from stayput.montecarlo.library import KindRun, Library, Standing, kind_run, standing_of, standings_of
+from stayput.montecarlo.runs import Runs
+from stayput.montecarlo.scene_draws import SceneDraw, SceneDraws, drawn_scene
+from stayput.simulation.groups import Group, Track, groups_of_falls
+from stayput.simulation.placement import ORIGIN, Placement
+from stayput.simulation.space import Trace, joined_groups, run_of_trace
 
 if TYPE_CHECKING:
-    from stayput.catalogue import Phrase
     from stayput.model.floor_plan import FloorPlan
-    from stayput.model.state import State
-    from stayput.montecarlo.scaled_motions import FloorMotions
+    from stayput.montecarlo.counting import Member, Members
     from stayput.motion.record import Motion
     from stayput.scenario import Scenario
+    from stayput.simulation.piece import Piece
     from stayput.simulation.run import Run
     from stayput.simulation.scene import Scene
-    from stayput.simulation.space import Trace
 
 
-class GroupRun(NamedTuple):
-    """What became of a group of pieces under a draw.
-
-    Parameters
-    ----------
-    results : ndarray of RESULT, shape (pieces,)
-        What became of each.
-    devices : list of tuple of ndarray
-        DEVICE and utilisation of what holds each piece, and of the joints between them at last.
-    tracks : list of Track or None
-        Where each was; None where nothing can reach it.
-    """
-
-    results: NDArray[np.void]
-    devices: list[tuple[NDArray[np.void], NDArray[np.float64]]]
-    tracks: list[Any]
-
-
-KnownRuns: TypeAlias = dict[tuple[int, int], dict[tuple[str, float], GroupRun]]
-"""Runs of groups by motion and sample, by what tells the group and how long it lies."""
-
-
-class Seen(NamedTuple):
+class RoomEvents(NamedTuple):
     """What happened in a run of a room.
 
     Parameters
@@ -81,71 +49,73 @@ class Seen(NamedTuple):
 
 
 SPEED, ENERGY, FALLS = 1, 2, 3
-"""Columns of `Seen.hits`."""
+"""Columns of `RoomEvents.hits`."""
 
-Watch: TypeAlias = "Callable[[FloorPlan, Sequence[Track]], Seen]"
-"""Looks at what happened in a run of a room, of its plan and where the pieces were."""
+DetectEvents: TypeAlias = "Callable[[FloorPlan, Sequence[Track]], RoomEvents]"
+"""Detects what happened in a run of a room, from its plan and where the pieces were."""
 
 
 class SceneRunner:
-    """Runs options of a scene under draws; what a group of pieces does is run once for all options.
+    """Runs options of a scene under draws; runs of a kind serve all options and all pieces of that kind.
 
     Parameters
     ----------
     scenario : Scenario
         What stands where, and what of it is uncertain.
-    floors : FloorMotions
-        The motions.
+    library : Library
+        The runs that are made, to which more are added.
     threads : int, optional
         As many as there are cores by default. The bits do not depend on them.
     advance : callable
         Called with the number of runs just done; an exception that it raises stops the work.
-    watch : callable
+    detect : callable
         What looks at the runs of a room with a plan.
-    known : dict, optional
-        Runs of the same motions and draws that are known, to which those are added that are made.
     """
 
     def __init__(
         self,
         scenario: Scenario,
-        floors: FloorMotions,
+        library: Library,
         *,
         threads: int | None,
         advance: Callable[[int], None],
-        watch: Watch,
-        known: KnownRuns | None,
+        detect: DetectEvents,
     ) -> None:
-        self._scenario, self.floors, self.threads = scenario, floors, threads
-        self.advance, self._watch, self._counted = advance, watch, list(scenario.counted)
-        self._gravity, self._initial = scenario.gravity, scenario.initial.state()
-        self._draws: list[list[DrawOfSeveral]] = [[] for _ in floors.motions]
-        self._known = {} if known is None else known
+        self.library, self._threads, self._advance = library, threads, advance
+        self._detect, self._counted = detect, list(scenario.counted)
+        self._placed: dict[tuple[int, Placement], tuple[KindRun, list[Track]]] = {}
+        self._standings: dict[tuple[int, ...], tuple[list[Piece], Standing]] = {}
 
-    def under(self, floors: FloorMotions, advance: Callable[[int], None] | None = None) -> SceneRunner:
-        """Return the same under other motions, which knows of no run yet; another ``advance`` if given."""
-        runner = copy(self)  # with the same draws
-        runner.floors, runner.advance, runner._known = floors, advance or self.advance, {}
+    def anew(self, advance: Callable[[int], None]) -> SceneRunner:
+        """Return the same with the same draws, which knows of no run yet."""
+        runner = copy(self)
+        runner.library, runner._advance = self.library.anew(), advance
+        runner._placed, runner._standings = {}, {}
         return runner
 
-    def draw(self, motion: int, sample: int) -> DrawOfSeveral:
-        """Return the draw of a member."""
-        done = len(self._draws[motion])
-        if sample >= done:
-            drawn = draws_of_scenario(self._scenario, len(self._draws), sample + 1 - done, done)
-            for known, more in zip(self._draws, drawn, strict=True):
-                known.extend(more)
-        return self._draws[motion][sample]
+    def standings(self, scene: Scene) -> list[Standing]:
+        """Return the groups of pieces of a scene; those that options of a room leave alone are made once."""
+        draws, standings = self.library.draws, list[Standing]()
+        for group in groups_of_falls(scene):
+            pieces = [scene.pieces[number] for number in group]
+            key = (len(scene.joints), *map(id, pieces))
+            if scene.plan is None:  # how far away walls are depends on all pieces
+                standings.append(standing_of(scene, group, draws))
+                continue
+            if key not in self._standings:  # the pieces are kept with it, so that the ids stay their own
+                self._standings[key] = pieces, standing_of(scene, group, draws)
+            standings.append(self._standings[key][1])
+        return standings
 
-    def run(self, scenes: Sequence[Scene], samples: int, start: int = 0, *, keep: bool = False) -> list[Runs]:
-        """Run scenes of the same pieces under samples of each motion.
+    def run(self, scenes: Sequence[Scene], members: Members, *, keep: bool = False) -> list[Runs]:
+        """Run scenes of the same pieces.
 
         Parameters
         ----------
         scenes : sequence of Scene
             The pieces with each option, as stated.
-        samples, start : int
-            Samples of each motion, and how many come before them.
+        members : Members
+            The runs.
         keep : bool
             Whether the tracks of the pieces are kept.
 
@@ -154,240 +124,112 @@ class SceneRunner:
         InputError
             Measures that cannot be put in place, as stated or in one of the draws.
         """
-        shape = len(self.floors.motions), samples
-        parts = [_Parts(scene) for scene in scenes]
-        ran: dict[tuple[int, int], list[tuple[dict[Group, GroupRun], Seen]]] = {}
-        self.draw(0, start + samples - 1)  # all are drawn before threads ask for them
+        each = [*map(self.standings, scenes)]
+        all_runs = iter(self._runs_of([standing for of_scene in each for standing in of_scene], members))
+        composed: list[Runs] = []
+        for scene, standings in zip(scenes, each, strict=True):
+            runs_of_groups = [(standing, next(all_runs)) for standing in standings]
+            composed.append(self._composed(scene, runs_of_groups, members, keep))
+        return composed
 
-        def run(motion: int, sample: int) -> None:
-            shaking, ran[motion, sample] = self.shaking(motion, start + sample), []
-            for of in parts:
-                groups = self._groups(of, motion, start + sample, shaking)
-                ran[motion, sample].append((groups, self._seen(of, groups)))
+    def devices_of(self, scene: Scene, body: int, members: Members) -> NDArray[np.void]:
+        """Return what became of what holds a piece: DEVICE, shape (runs, devices)."""
+        standing = next(each for each in self.standings(scene) if body in each.group)
+        place = standing.group.index(body)
+        return np.array([run.devices[place][0] for run in self._runs_of([standing], members)[0]])
 
-        with Pool(self.threads) as pool:
-            for _ in pool.as_completed(partial(run, *place) for place in np.ndindex(*shape)):
-                self.advance(len(scenes))
-        return [
-            _runs([ran[place][option] for place in np.ndindex(*shape)], shape, of.scene, self._counted, keep)
-            for option, of in enumerate(parts)
-        ]
+    def _runs_of(self, standings: Sequence[Standing], members: Members) -> list[list[KindRun]]:
+        return self.library.runs_of(standings, [*members], self._threads, self._advance)
 
-    def falls(
-        self, scenes: Sequence[Scene], chosen: NDArray[np.bool_]
-    ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        """Return which runs overturn and which are given up.
-
-        Parameters
-        ----------
-        scenes : sequence of Scene
-            The pieces with each option, as stated.
-        chosen : ndarray of bool, shape (scenes, motions, samples)
-            What is run; the other runs do neither.
-
-        Raises
-        ------
-        InputError
-            As for `run`.
-        """
-        parts = [_Parts(scene) for scene in scenes]
-        overturned, missing = np.zeros_like(chosen), np.zeros_like(chosen)
-        self.draw(0, chosen.shape[2] - 1)  # all are drawn before threads ask for them
-
-        def run(motion: int, sample: int) -> int:
-            wanted, shaking = np.flatnonzero(chosen[:, motion, sample]).tolist(), self.shaking(motion, sample)
-            for option in wanted:
-                outcomes = dict[int, int]()
-                # what a lone piece does after it lies changes nothing
-                lies = ENDS if len(scenes[option].pieces) == 1 else math.inf
-                for group, ran in self._groups(parts[option], motion, sample, shaking, lies).items():
-                    outcomes |= zip(group, ran.results["outcome"].tolist(), strict=True)
-                overturned[option, motion, sample] = OVERTURNED_OUTCOME in map(outcomes.get, self._counted)
-                missing[option, motion, sample] = FAILED_OUTCOME in outcomes.values()
-            return len(wanted)
-
-        places = np.argwhere(chosen.any(axis=0)).tolist()
-        with Pool(self.threads) as pool:
-            for _, count in pool.as_completed(partial(run, *place) for place in places):
-                self.advance(count)
-        return overturned, missing
-
-    def devices_of(self, scene: Scene, body: int, samples: int) -> NDArray[np.void]:
-        """Return what became of what holds a piece: DEVICE, shape (motions, samples, devices).
-
-        It runs with what it runs together with from the beginning, whatever it meets.
-        """
-        of = _Parts(scene)
-        group = next(group for group in of.at_first if body in group)
-
-        def run(motion: int, sample: int) -> NDArray[np.void]:
-            ran = self._group(of, group, motion, sample, self.shaking(motion, sample))
-            return ran.devices[group.index(body)][0]
-
-        self.draw(0, samples - 1)
-        with Pool(self.threads) as pool:
-            places = np.ndindex(len(self.floors.motions), samples)
-            rows = [*pool.in_order(partial(run, *place) for place in places)]
-        self.advance(len(rows))
-        return np.array(rows).reshape(len(self.floors.motions), samples, -1)
-
-    def shaking(self, motion: int, sample: int) -> SpaceShaking:
-        """Return how the floor shakes in a member."""
-        floor, scale = self.floors.motions[motion], float(self.floors.scales[motion])
-        return drawn_shaking(floor, scale, self.draw(motion, sample), self._gravity)
-
-    def _groups(
-        self, of: _Parts, motion: int, sample: int, shaking: SpaceShaking, lies: float = math.inf
-    ) -> dict[Group, GroupRun]:
-        """Return the runs of the groups of a scene, as they are after all meetings."""
-        run = partial(self._group, of, motion=motion, sample=sample, shaking=shaking, lies=lies)
-        return run_in_groups(of.at_first, run, lambda ran: ran.tracks)
-
-    def _group(
+    def _composed(
         self,
-        of: _Parts,
-        group: Group,
-        motion: int,
-        sample: int,
-        shaking: SpaceShaking,
-        lies: float = math.inf,
-    ) -> GroupRun:
-        """Run a group, or return its run where it is known."""
-        (part, called, key), known = of.part(group), self._known.setdefault((motion, sample), {})
-        if (key, lies) not in known:
-            draw = self.draw(motion, sample).of(group)
-            reached = len(of.at_first) > 1 or of.scene.plan is not None
-            traced = trace_draw(part, draw, shaking, self._gravity, called, self._initial, lies=lies)
-            ran = _group_run(traced, shaking, tracked=reached)
-            if FAILED_OUTCOME in ran.results["outcome"]:  # as those are that an exception has cut off
-                return ran
-            known[key, lies] = ran
-        return known[key, lies]
+        scene: Scene,
+        runs_of_groups: Sequence[tuple[Standing, Sequence[KindRun]]],
+        members: Members,
+        keep: bool,
+    ) -> Runs:
+        """Return the runs of a scene, composed of those of its groups of pieces."""
+        shape = len(members), len(scene.pieces)
+        results, tracks = np.zeros(shape, RESULT), np.empty(shape, object)
+        columns: list[list[Any]] = [[] for _ in range(shape[1] + len(scene.joints))]
+        for standing, runs in runs_of_groups:
+            numbers = [*standing.group]
+            results[:, numbers] = [run.results for run in runs]
+            joints = [n for n, joint in enumerate(scene.joints) if joint.first in standing.group]
+            for place, number in enumerate(numbers):
+                columns[number] = [run.devices[place] for run in runs]
+            for place, number in enumerate(joints):
+                of_joint = slice(place, place + 1)
+                columns[shape[1] + number] = [
+                    tuple(column[of_joint] for column in run.devices[-1]) for run in runs
+                ]
+            if scene.plan is not None or keep:
+                for row, run in enumerate(runs):
+                    tracks[row, numbers] = self._in_room(standing, run)
+        devices, used = (
+            np.concatenate([[each[part] for each in column] for column in columns], axis=1)
+            for part in range(2)
+        )
+        counted = results[:, self._counted]
+        return Runs(
+            members,
+            overturned=(counted["outcome"] == OVERTURNED_OUTCOME).any(axis=1),
+            missing=(results["outcome"] == FAILED_OUTCOME).any(axis=1),
+            hit_wall=np.any(counted["wall_impacts"] > 0, axis=1),
+            device_failed=(devices["failure"] != HOLDS).any(axis=1),
+            slide=counted["peak_slide"].max(axis=1),
+            tilt=counted["peak_tilt"].max(axis=1),
+            devices=devices,
+            used=used,
+            masses=np.ones(len(members)),
+            results=results,
+            **self._events(scene, tracks)._asdict(),
+            tracks=tracks if keep else tracks[:, :0],
+        )
 
-    def _seen(self, of: _Parts, groups: dict[Group, GroupRun]) -> Seen:
-        """Return what happened in the room in the runs of the groups of a scene."""
-        if of.scene.plan is None:
-            nothing = np.zeros(0, np.bool_)
-            return Seen(np.zeros((0, len(of.scene.pieces), 4)), nothing, nothing)
-        tracks = dict[int, Track]()
-        for group, ran in groups.items():
-            tracks |= zip(group, ran.tracks, strict=True)
-        return self._watch(of.scene.plan, [tracks[body] for body in sorted(tracks)])
+    def _in_room(self, standing: Standing, run: KindRun) -> list[Track]:
+        """Return where the pieces of a group were in the room; that of one run and place is made once."""
+        key = id(run), standing.axes
+        if key not in self._placed:  # the run is kept with it, so that the id stays its own
+            self._placed[key] = run, [track.placed(standing.axes) for track in run.tracks]
+        return self._placed[key][1]
 
-
-class _Parts:
-    """A scene with the groups of pieces that run together at first, and each group by itself."""
-
-    def __init__(self, scene: Scene) -> None:
-        self.scene, self.at_first, self._known = scene, groups_at_first(scene), dict[Group, Any]()
-
-    def part(self, group: Group) -> tuple[Scene, list[str | Phrase], str]:
-        """Return the scene of a group, how refusals call its pieces, and what tells it from other groups."""
-        if group not in self._known:
-            part, called = self.scene.part(group), names_of(self.scene, group)
-            stands = [(piece.at, piece.heading, piece.measures) for piece in part.pieces]
-            self._known[group] = part, called, repr((group, stands, part.joints, part.room))
-        return self._known[group]
-
-
-def _group_run(traced: Trace, shaking: SpaceShaking, *, tracked: bool) -> GroupRun:
-    trace, first = traced.trace, 0
-    used, devices = utilisation(trace.springs, trace.devices), list[tuple[Any, Any]]()
-    for count in [*(len(body.springs) for body in traced.bodies), None]:
-        rows = slice(first, None if count is None else first + count)
-        devices.append((trace.devices[rows], used[rows]))
-        first += count or 0
-    tracks = traced.tracks(shaking.dt) if tracked else [None] * len(traced.bodies)
-    results = results_of(traced, shaking.times)
-    free = [0.0 if body.held is None else body.held.free_slide for body in traced.bodies]
-    without_free_slide(results, free)
-    return GroupRun(results, devices, tracks)
-
-
-def trace_draw(
-    scene: Scene,
-    draw: DrawOfSeveral,
-    shaking: SpaceShaking,
-    gravity: float,
-    names: Sequence[str | Phrase] = (),
-    initial: State | None = None,
-    step: float = STEP,
-    lies: float = math.inf,
-) -> Trace:
-    """Run the pieces of a scene together under one draw and its `drawn_shaking`; see `trace_together`."""
-    floor = partial(drawn_floor, draw=draw.room)
-    drawn = drawn_scene(scene, draw)
-    return trace_together(drawn, shaking, gravity, step, draw.room.strength, floor, names, initial, lies)
+    def _events(self, scene: Scene, tracks: NDArray[np.object_]) -> RoomEvents:
+        """Return what happened in a room in each run."""
+        if scene.plan is None:
+            nothing = np.zeros((len(tracks), 0), np.bool_)
+            return RoomEvents(np.zeros((len(tracks), 0, len(scene.pieces), 4)), nothing, nothing)
+        events = [self._detect(scene.plan, row) for row in tracks.tolist()]
+        return RoomEvents(*map(np.array, zip(*events, strict=True)))
 
 
-def replay(
-    scene: Scene,
-    draw: DrawOfSeveral,
-    motion: Motion,
-    scale: float,
-    gravity: float,
-    initial: State | None = None,
-) -> Run:
-    """Run a scene under one draw again, with its histories.
+def replay(scenario: Scenario, scene: Scene, member: Member, motion: Motion, scale: float) -> Run:
+    """Run a member of a scene again as it was run, with its histories.
 
     Parameters
     ----------
-    scene, draw, gravity, initial
-        As for `SceneRunner`.
+    scenario : Scenario
+        What was verified.
+    scene : Scene
+        Its pieces with an option.
+    member : Member
+        Which of the motions, and which draw.
     motion, scale
         The floor's motion, and the factor on it.
     """
-    shaking = drawn_shaking(motion, scale, draw, gravity)
+    draws, traces = SceneDraws(scenario, member.motion + 1), dict[Group, Trace]()
 
-    def trace(group: Group) -> Trace:
-        part, called = scene.part(group), names_of(scene, group)
-        return trace_draw(part, draw.of(group), shaking, gravity, called, initial).in_room()
+    def drawn(axes: Placement, streams: Sequence[str]) -> SceneDraw:
+        return draws.draw(*member, streams, axes)
 
-    traced = trace_groups(scene, trace, shaking.dt)
-    shown = motion.scaled(scale).pointing(draw.direction)
-    run = run_of_trace(traced, scene.joints, drawn_scene(scene, draw).room, shown)
+    for standing in standings_of(scene, draws):
+        draw, axes = drawn(standing.axes, standing.kind.streams), standing.axes
+        how = draw, motion, scale, scenario.gravity, scenario.initial.state()
+        traced, shaking = standing.kind.run(*how)
+        if standing.reaches_far_wall(kind_run(traced, shaking)):
+            traced, _ = standing.walled.run(*how)
+        traces[standing.group] = replace(traced.in_room(), axes=axes).in_room()
+    draw = drawn(ORIGIN, draws.streams(range(len(scene.pieces))))
+    shown, room = motion.scaled(scale).pointing(draw.direction), drawn_scene(scene, draw).room
+    run = run_of_trace(joined_groups(scene, traces), scene.joints, room, shown)
     return replace(run, names=scene.names, plan=scene.plan)
-
-
-def _runs(
-    members: Sequence[tuple[dict[Group, GroupRun], Seen]],
-    shape: tuple[int, int],
-    scene: Scene,
-    counted: list[int],
-    keep: bool,
-) -> Runs:
-    """Return the runs of an option, by motion and by sample within it."""
-    count = len(scene.pieces)
-    results = np.zeros((*shape, count), RESULT)
-    columns, tracks = list[Any](), np.empty((*shape, count), object)
-    for place, (groups, _) in zip(np.ndindex(*shape), members, strict=True):
-        of_pieces, of_joints = dict[int, Any](), dict[int, Any]()
-        for group, ran in groups.items():
-            for number, result, held, track in zip(group, ran.results, ran.devices, ran.tracks, strict=False):
-                results[(*place, number)], of_pieces[number] = result, held
-                tracks[(*place, number)] = track
-            inside = [n for n, joint in enumerate(scene.joints) if joint.first in group]
-            of_joints |= {
-                n: (ran.devices[-1][0][k : k + 1], ran.devices[-1][1][k : k + 1])
-                for k, n in enumerate(inside)
-            }
-        held = *map(of_pieces.__getitem__, range(count)), *map(of_joints.__getitem__, sorted(of_joints))
-        columns.append([np.concatenate(column) for column in zip(*held, strict=True)])
-    devices, used = (np.array(column).reshape(*shape, -1) for column in zip(*columns, strict=True))
-    seen = zip(*(seen for _, seen in members), strict=True)
-    watched = [np.array(column).reshape(*shape, *np.shape(column[0])) for column in seen]
-    counted_results = results[..., counted]
-    return Runs(
-        overturned=(counted_results["outcome"] == OVERTURNED_OUTCOME).any(axis=-1),
-        missing=(results["outcome"] == FAILED_OUTCOME).any(axis=-1),
-        hit_wall=np.any(counted_results["wall_impacts"] > 0, axis=-1),
-        device_failed=(devices["failure"] != HOLDS).any(axis=-1),
-        slide=counted_results["peak_slide"].max(axis=-1),
-        tilt=counted_results["peak_tilt"].max(axis=-1),
-        devices=devices,
-        used=used,
-        masses=np.ones(shape),
-        results=results,
-        **dict(zip(Seen._fields, watched, strict=True)),
-        tracks=tracks if keep else tracks[..., :0],
-    )

@@ -14,7 +14,6 @@ from matplotlib.ticker import LogLocator
 
 from stayput.catalogue import say
 from stayput.errors import InputError, within
-from stayput.fragility.curve import CurveState, FragilityCurve
 from stayput.fragility.intensity_measures import JMA_INTENSITY, IntensityMeasure
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.figures import (
@@ -35,6 +34,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from stayput.fragility.curve import FragilityCurve
     from stayput.verification import Verdict
 
 
@@ -74,14 +74,12 @@ def plot_fragility(
 ) -> Figure:
     """Plot fragility curves with their 95 % bands and the observed shares with their 95 % intervals.
 
-    The curves are isotonic, as is said below the title. One motion tells nothing of how motions scatter: its
-    curve has no band, and its bars are of its own runs.
+    Of one motion bands and bars are for it alone, which is said below the title.
 
     Parameters
     ----------
     curves : sequence of FragilityCurve
-        One to eight curves over the same measure. Of one that is not fitted only what was observed is drawn;
-        of more than three curves the first two have their intervals.
+        One to eight curves over the same measure; of more than three the first two have their intervals.
     path : str or Path, optional
         Where to save it: PNG, SVG or PDF, by its ending.
     here : float, optional
@@ -122,7 +120,7 @@ def plot_fragility(
         x = here * measure.shown
         axis.plot([x, x], [-0.02, 1.02], color=INK, linewidth=1.6, linestyle=":", zorder=2, label=label)
     alone = say("plots.no_bands", language) if any(curve.one_motion for curve in curves) else ""
-    label = say("plots.isotonic", language, alone=alone)
+    label = say("plots.fitted", language, alone=alone)
     below = "\n".join((drawable(subtitle), label)) if subtitle else label
     axis.set_title(below, fontsize=FONT - 1.0, color=MUTED, loc="left")
     widest = max(_cells(_legend_label(curve, language)) for curve in curves)
@@ -196,9 +194,7 @@ def _cells(text: str) -> int:
 
 def _legend_label(curve: FragilityCurve, language: str) -> str:
     name, half = curve.name or say("plots.curve", language), say(curve.capacity(0.5).texts, language)
-    if curve.state is CurveState.FITTED:
-        return say("plots.half", language, name=name, half=half)
-    return say("plots.half_state", language, name=name, state=curve.state.phrase, half=half)
+    return say("plots.half", language, name=name, half=half)
 
 
 def _draw(
@@ -213,16 +209,12 @@ def _draw(
     probabilities = [level.probability for level in curve.levels]
     shares = np.array([p.estimate for p in probabilities])
     ends = np.array([[p.estimate - p.low, p.high - p.estimate] for p in probabilities]).T
-    if curve.state is CurveState.FITTED:
-        grid = curve.grid(_POINTS)
-        x = grid * measure.shown
-        low, high = curve.band(grid)
-        if ends_shown:
-            axis.fill_between(x, low, high, color=colour, alpha=0.13, linewidth=0.0)
-        line_alone: dict[str, Any] = looks | {"marker": "none"}
-        axis.plot(x, curve.probability(grid), **line_alone)
-    else:
-        looks["linestyle"] = "none"
+    grid = curve.grid(_POINTS)
+    x = grid * measure.shown
+    if ends_shown:
+        axis.fill_between(x, *curve.band(grid), color=colour, alpha=0.13, linewidth=0.0)
+    line_alone: dict[str, Any] = looks | {"marker": "none"}
+    axis.plot(x, curve.probability(grid), **line_alone)
     if ends_shown:
         bars: dict[str, Any] = {"fmt": "none", "ecolor": colour, "elinewidth": 0.8, "alpha": 0.45}
         axis.errorbar(middles, shares, yerr=ends, zorder=3, **bars)
@@ -245,7 +237,7 @@ def _label(axis: Axes, measure: IntensityMeasure, language: str) -> None:
 
 def _finish(axis: Axes, curves: Sequence[FragilityCurve], measure: IntensityMeasure, language: str) -> None:
     """End the axis where the curves do, with round numbers, and JMA's classes along the top."""
-    u = np.concatenate([measure.coordinate(curve.trials.im) for curve in curves])
+    u = np.array([curve.ends for curve in curves])
     margin = 0.03 * (float(np.ptp(u)) or 1.0)
     ends = measure.value(np.array([u.min() - margin, u.max() + margin]))
     first, last = (ends * measure.shown).tolist()

@@ -72,7 +72,7 @@ def curve_html(curve: FragilityCurve) -> str:
         for share in (0.1, 0.5, 0.9)
     ]
     if curve.lognormal is not None:
-        table.append((say("fragility.lognormal"), curve.lognormal.text))
+        table.append((say("fragility.lognormal"), say(curve.lognormal_texts)))
     return _shown(curve.text, figure_of(lambda axis: draw_curve(axis, curve, "en"), 7.0, 4.4), table)
 
 

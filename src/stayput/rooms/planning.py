@@ -37,11 +37,11 @@ from stayput.rooms.steps import (
     in_order_of_gain,
     merit,
 )
-from stayput.simulation.groups import groups_at_first
+from stayput.simulation.groups import groups_of_falls
 from stayput.simulation.placing import placed
 from stayput.verification.changes import Change, measures_for, refuse_unheld, with_changes
 from stayput.verification.compare import option_verdict
-from stayput.verification.contest import Contest
+from stayput.verification.option_runner import OptionRunner
 from stayput.verification.options import TRIED, compared_options, inputs_of_piece
 from stayput.verification.people import hits_in
 from stayput.verification.search import falling_pieces, harmful_pieces, moves_of
@@ -51,6 +51,12 @@ if TYPE_CHECKING:
     from stayput.fragility.probabilities import Probability
     from stayput.measures import Measure
     from stayput.scenario.measures import Option
+
+PLAN_RUNS = 32
+"""Runs of what a plan tells: from so many a half-width of 16 points."""
+
+TRIAL_RUNS, CANDIDATES = 8, 2
+"""Runs of all that is tried, and how many of the best of it are then run as often as what is told."""
 
 WEAKER_CLASSES = ("6-upper", "6-lower", "5-upper", "5-lower", "4")
 """Classes of intensity, the strongest first, in which it is tried whether a device that is too weak holds."""
@@ -126,16 +132,14 @@ def action_plan(
 
         scenario = home.of(asked.scenario)
         compared_options(scenario)  # refuses what cannot be put in place
-        contest = Contest(scenario, asked.slide_limit, threads, advance=count)
-        planner = _Planner(contest, home, decisions_of(scenario, decided))
+        runner = OptionRunner(scenario, asked.slide_limit, threads, advance=count)
+        planner = _Planner(runner, home, decisions_of(scenario, decided))
         steps, unsolved = planner.steps()
     now = replace(
         asked,
         scenario=scenario,
         options=(replace(planner.as_it_is, rank=1),),
-        samples=contest.settings.samples,
         runs=made.done,
-        settled=0,
         seconds=time.perf_counter() - began,
         complete=True,
     )
@@ -149,7 +153,7 @@ class _Planner:
 
     Parameters
     ----------
-    contest : Contest
+    runner : OptionRunner
         The room's motions and draws.
     home : Home
         What the home is like.
@@ -157,21 +161,23 @@ class _Planner:
         What is done in any case.
     """
 
-    def __init__(self, contest: Contest, home: Home, decisions: Decisions) -> None:
-        self.contest, self.home, self.decisions = contest, home, decisions
-        self.scenario, self.base = contest.scenario, contest.scenario.stated
-        (self.runs,) = contest.run([self.base], contest.settings.samples, keep=True)
-        self.as_it_is = option_verdict(contest, self.base, self.runs, None)
-        self.scene = contest.scene(self.base)
-        self.group_of = {body: group for group in groups_at_first(self.scene) for body in group}
-        struck = np.flatnonzero(hits_in(self.runs).any(axis=(0, 1, 2))).tolist()
-        self.harmful = {*struck} | harmful_pieces(contest, self.base, self.runs)
+    def __init__(self, runner: OptionRunner, home: Home, decisions: Decisions) -> None:
+        self.runner, self.home, self.decisions = runner, home, decisions
+        self.scenario, self.base = runner.scenario, runner.scenario.stated
+        self._members = runner.members.chosen(slice(PLAN_RUNS))
+        (self.runs,) = runner.run([self.base], self._members, keep=True)
+        self.as_it_is = option_verdict(runner, self.base, self.runs, None)
+        self.scene = runner.scene(self.base)
+        self.group_of = {body: group for group in groups_of_falls(self.scene) for body in group}
+        struck = np.flatnonzero(hits_in(self.runs).any(axis=(0, 1))).tolist()
+        self.harmful = {*struck} | harmful_pieces(runner, self.base, self.runs)
         self.falling = falling_pieces(self.runs)
         self.drilled: dict[str, Fix] = {}
         self.not_enough: dict[str, Fix] = {}
         self._not_taken: dict[str, dict[tuple[str, ...], Phrase]] = {}
-        self._known: dict[str, OptionVerdict] = {}
-        self._weaker: dict[float, Contest] = {}
+        self._known: dict[tuple[str, int], OptionVerdict] = {}
+        self._clear: dict[tuple[int, tuple[str, ...]], bool] = {}
+        self._weaker: dict[float, OptionRunner] = {}
 
     def steps(self) -> tuple[tuple[PlanStep, ...], tuple[str, ...]]:
         """Return the steps in their order, and the pieces on which nothing helps."""
@@ -242,13 +248,13 @@ class _Planner:
     def _with(self, changes: Iterable[Change]) -> Option:
         return with_changes(self.base, changes, self.scenario.names)
 
-    def _effect(self, changes: Sequence[Change]) -> OptionVerdict:
-        """Return what changes bring; the same ones run once."""
-        key = repr(sorted(map(repr, changes)))
+    def _effect(self, changes: Sequence[Change], count: int = PLAN_RUNS) -> OptionVerdict:
+        """Return what changes bring in the first so many runs."""
+        key = repr(sorted(map(repr, changes))), count
         if key not in self._known:
             option = self._with(changes)
-            (runs,) = self.contest.run([option], self.contest.settings.samples)
-            self._known[key] = option_verdict(self.contest, option, runs, self.runs)
+            (runs,) = self.runner.run([option], self._members.chosen(slice(count)))
+            self._known[key] = option_verdict(self.runner, option, runs, self.runs)
         return self._known[key]
 
     def _moves(self) -> tuple[Change, ...]:
@@ -256,8 +262,9 @@ class _Planner:
         if self.decisions.moves:
             return self.decisions.moves
         may_move = self.harmful - set(self.decisions.measures)
-        moves = [*moves_of(self.contest, self.base, self.runs, may_move)]
-        helping = [move for move in moves if self._effect([move]).helps]
+        moves = [*moves_of(self.runner, self.base, self.runs, may_move)]
+        moves.sort(key=lambda move: in_order_of_gain(self._effect([move], TRIAL_RUNS)))
+        helping = [move for move in moves[:CANDIDATES] if self._effect([move]).helps]
         return (min(helping, key=lambda move: in_order_of_gain(self._effect([move]))),) if helping else ()
 
     def _moving(self, move: Change) -> PlanStep:
@@ -283,21 +290,22 @@ class _Planner:
         why = self._not_taken.setdefault(self.scenario.names[body], {})
         if decided is None:
             why |= {kinds: phrase("action_plan.drills") for kinds in TRIED if not self.home.allows(kinds)}
-            tried = self._helpful(body, moves, [kinds for kinds in TRIED if self.home.allows(kinds)])
+            tried, sound = self._tried(body, moves, self.home.allows)
         else:
-            tried = [self._trial(body, self._in_number(body, decided, moves))]
+            tried, sound = [self._trial(body, decided)], None
         if not tried:
             self._with_drilling(body, moves)
             return None
-        sound = None if decided else self._sound(tried, body, moves)
-        fix = sound or self._fitted(min(tried, key=merit), body, moves)
+        fix = sound or self._fitted(self._in_full(min(tried, key=merit), body, moves), body, moves)
         if not fix.enough or not fix.alone.helps:
             self._with_drilling(body, moves)
         undrilled = [trial for trial in tried if not any(measure.drilled for measure in trial.measures)]
         instead = self._sound(undrilled, body, moves) if fix.drilled else None
         shown = {way.kinds for way in (fix, instead) if way is not None}
         best = next(trial for trial in tried if trial.kinds == fix.kinds)
-        why.update({trial.kinds: why_not(trial, best) for trial in tried if trial.kinds not in shown})
+        for trial in tried:
+            if trial.kinds not in shown:
+                why.setdefault(trial.kinds, why_not(trial, best))
         measures, was = tuple(purchase.measure for purchase in fix.purchases), self._overturned(body)
         deciding = inputs_of_piece(measures, self.scenario, body)
         what, alone, as_decided = self.scenario.names[body], fix.alone, decided is not None
@@ -309,20 +317,42 @@ class _Planner:
 
     def _with_drilling(self, body: int, moves: tuple[Change, ...]) -> None:
         """Keep the best measures on a piece that only the ban on drilling rules out, where they are sound."""
-        tried = self._helpful(body, moves, [kinds for kinds in TRIED if not self.home.allows(kinds)])
-        if fix := self._sound(tried, body, moves):
+        if fix := self._tried(body, moves, lambda kinds: not self.home.allows(kinds))[1]:
             self.drilled[self.scenario.names[body]] = fix
+
+    def _tried(
+        self, body: int, moves: tuple[Change, ...], allowed: Callable[[tuple[str, ...]], bool]
+    ) -> tuple[list[Trial], Fix | None]:
+        """Run sets of measures on a piece, two together where one is too weak; also return what is sound."""
+        single, double = ([kinds for kinds in TRIED if len(kinds) == n and allowed(kinds)] for n in (1, 2))
+        tried = self._helpful(body, moves, single)
+        sound = self._sound(tried, body, moves)
+        if sound is None and (not tried or any(self._clear.get((body, trial.kinds)) for trial in tried)):
+            tried += self._helpful(body, moves, double)
+            sound = self._sound(tried, body, moves)
+        else:
+            why = self._not_taken[self.scenario.names[body]]
+            why |= {kinds: phrase("action_plan.pair_not_tried") for kinds in double if kinds not in why}
+        return tried, sound
 
     def _sound(self, tried: Iterable[Trial], body: int, moves: tuple[Change, ...]) -> Fix | None:
         """Return the best measures that clearly help and are not too weak where the piece will stand."""
-        helping = sorted((trial for trial in tried if trial.effect.helps), key=merit)
-        fixes = (self._fitted(trial, body, moves) for trial in helping)
-        return next((fix for fix in fixes if fix.sound), None)
+        why = self._not_taken[self.scenario.names[body]]
+        for trial in sorted(tried, key=merit)[:CANDIDATES]:
+            full = self._in_full(trial, body, moves)
+            self._clear[body, trial.kinds] = full.effect.helps
+            if full.effect.helps and (fix := self._fitted(full, body, moves)).sound:
+                return fix
+            why[trial.kinds] = why_not(full, full) if full.effect.helps else phrase("action_plan.no_gain")
+        return None
+
+    def _in_full(self, trial: Trial, body: int, moves: tuple[Change, ...]) -> Trial:
+        """Return a trial in all runs of the plan, with as many devices as are needed."""
+        return self._trial(body, self._in_number(body, trial.measures, moves), PLAN_RUNS)
 
     def _helpful(self, body: int, moves: tuple[Change, ...], sets: Sequence[tuple[str, ...]]) -> list[Trial]:
         """Run sets of measures on a piece; return those that help and can be put on it where it will be."""
-        now, helpful = self._overturned(body), list[Trial]()
-        bare = Trial((), self.as_it_is, self._harm(self.as_it_is, body), now, now)
+        bare, helpful = self._trial(body, ()), list[Trial]()
         why = self._not_taken[self.scenario.names[body]]
         for kinds in sets:
             measures = measures_for(kinds, self.scene, body)
@@ -330,7 +360,7 @@ class _Planner:
             if refused is not None:
                 why[kinds] = refused
                 continue
-            trial = self._trial(body, self._in_number(body, measures, moves))
+            trial = self._trial(body, measures)
             if merit(trial) < merit(bare):
                 helpful.append(trial)
             else:
@@ -344,9 +374,9 @@ class _Planner:
     def _on(self, body: int, measures: tuple[Measure, ...]) -> tuple[Change, ...]:
         return tuple(Change(self.scenario.names[body], measure) for measure in measures)
 
-    def _trial(self, body: int, measures: tuple[Measure, ...]) -> Trial:
+    def _trial(self, body: int, measures: tuple[Measure, ...], count: int = TRIAL_RUNS) -> Trial:
         """Run measures on a piece where it stands."""
-        effect = self._effect(self._on(body, measures))
+        effect = self._effect(self._on(body, measures), count)
         overturns = effect.pieces[body].probabilities[OVERTURNED]
         return Trial(measures, effect, self._harm(effect, body), overturns, self._gives_way(effect, body))
 
@@ -365,7 +395,7 @@ class _Planner:
             if (why := measure.advised_against(room)) is not None:
                 return why
         try:
-            refuse_unheld(self.contest.scene(self._with([*moves, *self._on(body, measures)])), body)
+            refuse_unheld(self.runner.scene(self._with([*moves, *self._on(body, measures)])), body)
         except InputError as error:
             sentence = error.told("en").removesuffix("."), error.told("ja").removesuffix("。")
             return phrase("action_plan.not_possible", why=sentence)
@@ -378,9 +408,7 @@ class _Planner:
         if not any(measure.drilled for measure in measures):
             return measures
         length, moved = self.scene.pieces[body].body.length or 0.0, self._moved(body, moves)
-        purchases = purchases_of(
-            self.contest, self._with([*moved, *self._on(body, measures)]), measures, body
-        )
+        purchases = purchases_of(self.runner, self._with([*moved, *self._on(body, measures)]), measures, body)
         fitted = tuple(in_number(purchase, length) for purchase in purchases)
         return measures if any(self._refused(body, fitted, way) for way in ((), moves)) else fitted
 
@@ -391,8 +419,8 @@ class _Planner:
         """Return measures as they are bought, where the piece will stand."""
         measures, moved = tried.measures, self._moved(body, moves)
         option = self._with([*moved, *self._on(body, measures)])
-        purchases = purchases_of(self.contest, option, measures, body)
-        overturns, gives_way, scene = tried.overturns, tried.gives_way, self.contest.scene(option)
+        purchases = purchases_of(self.runner, option, measures, body)
+        overturns, gives_way, scene = tried.overturns, tried.gives_way, self.runner.scene(option)
         if moved:
             effect = self._effect([*moved, *self._on(body, measures)])
             overturns = effect.pieces[body].probabilities[OVERTURNED]
@@ -410,17 +438,17 @@ class _Planner:
 
         The classes are the ground's: under motions of upper floors there is none.
         """
-        contest = self.contest
-        if contest.floors.floor or all(purchase.enough for purchase in purchases):
+        runner = self.runner
+        if runner.floors.floor or all(purchase.enough for purchase in purchases):
             return None
         measures = tuple(purchase.measure for purchase in purchases)
-        now, limit = contest.floors.median_intensity, contest.settings.slide_limit
+        now, limit = runner.floors.median_intensity, runner.settings.slide_limit
         for level in (intensity_of_class(name) for name in WEAKER_CLASSES):
             if level < now:
                 if level not in self._weaker:
-                    times = factor_to_intensity(now, level)
-                    self._weaker[level] = Contest(
-                        self.scenario, limit, contest.threads, times=times, advance=contest.advance
+                    factor = factor_to_intensity(now, level)
+                    self._weaker[level] = OptionRunner(
+                        self.scenario, limit, runner.threads, shaking_factor=factor, advance=runner.advance
                     )
                 weaker = self._weaker[level]
                 if all(purchase.enough for purchase in purchases_of(weaker, option, measures, body)):

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.measures import Element, Measure
     from stayput.scenario.measures import Option
-    from stayput.verification.contest import Contest
+    from stayput.verification.option_runner import OptionRunner
 
 QUANTILE = 0.95
 """Share of the runs in which a device of the strength asked for is strong enough, with no margin."""
@@ -48,7 +48,7 @@ def quantile_of(devices: NDArray[np.void], elements: Sequence[Element]) -> Devic
 
     Parameters
     ----------
-    devices : ndarray of DEVICE, shape (motions, samples, elements)
+    devices : ndarray of DEVICE, shape (runs, elements)
         What became of them.
     elements : sequence of Element
         The devices, each for a number of like ones.
@@ -56,7 +56,7 @@ def quantile_of(devices: NDArray[np.void], elements: Sequence[Element]) -> Devic
     counts = np.array([element.count for element in elements])
 
     def quantile(name: str) -> float:
-        peaks = np.sort((devices[name] / counts).max(axis=-1).ravel())
+        peaks = np.sort((devices[name] / counts).max(axis=-1))
         return float(peaks[min(len(peaks) - 1, math.ceil(QUANTILE * len(peaks)) - 1)])
 
     return DeviceForces(*map(quantile, ("peak_pull", "peak_push", "peak_shear")))
@@ -103,13 +103,13 @@ def more_than(needed: DeviceForces, holds: DeviceForces) -> float:
 
 
 def purchases_of(
-    contest: Contest, option: Option, measures: tuple[Measure, ...], body: int
+    runner: OptionRunner, option: Option, measures: tuple[Measure, ...], body: int
 ) -> tuple[Purchase, ...]:
     """Return what to buy for a piece: how strong one must be, and how strong what it is fixed to is.
 
     Parameters
     ----------
-    contest : Contest
+    runner : OptionRunner
         The motions and draws.
     option : Option
         The room with these measures.
@@ -118,12 +118,12 @@ def purchases_of(
     body : int
         The piece.
     """
-    scene = contest.scene(option)
+    scene = runner.scene(option)
     held, kinds = placed(scene)[body].held, {measure.kind for measure in measures}
     assert held is not None
     strong = tuple(measure.unbreakable() if measure.kind in kinds else measure for measure in option.on[body])
     on = (*option.on[:body], strong, *option.on[body + 1 :])
-    devices = contest.devices_of(replace(option, on=on), body)
+    devices = runner.devices_of(replace(option, on=on), body)
     purchases: list[Purchase] = []
     for measure in measures:
         like = [n for n, element in enumerate(held.elements) if element.kind == measure.kind]

@@ -110,8 +110,6 @@ def why_not(tried: Trial, taken: Trial | None = None) -> Phrase:
         return phrase("action_plan.too_weak", in_runs=in_runs(tried))
     if taken is None:
         return phrase("action_plan.helps_not", share=tried.overturns.share)
-    if not effect.helps:
-        return phrase("action_plan.no_gain")
     people = effect.people
     assert people is not None
     chances = {key: getattr(people, key).chance for key in DECIDING_EVENTS} | {OVERTURNED: tried.overturns}

@@ -263,7 +263,7 @@ class UncertaintyTable(Table):
     samples: Annotated[int, between(1, 1_000_000)] | None = Field(
         default=None,
         description="Most runs with each option, spread evenly over the motions, with one of each motion at "
-        "least: by default 400 in the plane, 60 in space and of a room, 20 of several pieces.",
+        "least: by default 400 in the plane and where a precision is stated, else 60.",
     )
     seed: int = between(0, 2**53, default=1, description="Seed of the draws.")
     precision: Annotated[float, between(0.001, 0.5)] | None = Field(

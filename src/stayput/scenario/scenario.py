@@ -202,9 +202,8 @@ class Scenario(SceneTables):
         """Most samples of each set of measures, or runs of a room."""
         if self.uncertainty.samples is not None:
             return self.uncertainty.samples
-        if self.alone:
-            return 400 if self.dimensions == 2 else 60
-        return 20 if self.plan is None else 60
+        in_plane = self.alone and self.dimensions == 2
+        return 400 if in_plane or self.uncertainty.precision is not None else 60
 
     def to_toml(self) -> str:
         """Return the scenario as a file's text; what was given in Python is named in a comment."""

@@ -8,6 +8,7 @@ of the room: samples at which nothing changes, and tracks of less than `STIRS`, 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, reduce
@@ -25,6 +26,7 @@ from stayput.simulation.space_fate import falling, moved_samples
 from stayput.simulation.space_records import frames_of, matrices
 
 if TYPE_CHECKING:
+    from stayput.simulation.placement import Placement
     from stayput.simulation.run import Run
     from stayput.simulation.scene import Scene
 
@@ -83,9 +85,10 @@ class Track:
         """Return what it covers in plan at the number-th of its samples: corners in order, shape (n, 2)."""
         return outline_of(self.corners(np.array([number]))[0])
 
-    def shifted(self, shift: NDArray[np.float64]) -> Track:
-        """Return it with everything shifted in plan."""
-        return replace(self, place=self.place + np.array([*shift, 0.0]))
+    def placed(self, axes: Placement) -> Track:
+        """Return it in the room in which its axes stand."""
+        turn = np.swapaxes(axes.directions(np.swapaxes(self.turn, 1, 2)), 1, 2)
+        return replace(self, place=axes.points(self.place), turn=turn)
 
 
 def at_rest(piece: Piece, dt: float = 1.0) -> Track:
@@ -247,6 +250,60 @@ def groups_at_first(scene: Scene) -> list[Group]:
             if gap[0] <= BESIDE:
                 pairs.append((a, b))
     return _merged([(number,) for number in range(count)], pairs)
+
+
+def groups_of_falls(scene: Scene) -> list[Group]:
+    """Return which pieces of a scene a verification runs together, in the order of the first of each.
+
+    Those of which one stands on the other, that are joined, or that stand in rows: parallel, and so close
+    that one falls onto the other's base. What else meets hardly changes who falls, and takes most time.
+    """
+    pieces, pairs = scene.pieces, [(joint.first, joint.second) for joint in scene.joints]
+    bodies = [body_at(at_rest(piece), np.zeros(1, np.intp)) for piece in pieces]
+    spans = [span_of(body) for body in bodies]
+    floors = [swept_floor(piece) for piece in pieces]
+    swept = [span_of(floor) for floor in floors]
+    falls = [piece.turn[:2, falls_across(piece)] for piece in pieces]
+    for a, b in combinations(range(len(pieces)), 2):
+        (low, high), (least, most) = spans[a], spans[b]
+        overlaps = (low <= most + BESIDE).all() and (least <= high + BESIDE).all()
+        stands = min(abs(low[2] - most[2]), abs(least[2] - high[2])) <= BESIDE
+        if (overlaps and stands) or any(
+            abs(falls[striker] @ falls[struck]) > math.sqrt(0.5)  # to within 45°: it strikes the broad side
+            and not apart(swept[striker], spans[struck])
+            and separation(floors[striker], bodies[struck])[0] <= 0.0
+            for striker, struck in ((a, b), (b, a))
+        ):
+            pairs.append((a, b))
+    return _merged([(number,) for number in range(len(pieces))], pairs)
+
+
+def span_of(body: Convex) -> NDArray[np.float64]:
+    """Return the least and the most of the corners of a body that is at one place [m], shape (2, 3)."""
+    return np.stack([body.corners[0].min(axis=0), body.corners[0].max(axis=0)])
+
+
+MUCH_DEEPER = 1.5
+"""A piece falls to its front or back, unless it is deeper than long by this factor: to its sides then."""
+
+
+def falls_across(piece: Piece) -> int:
+    """Return along which axis of its own frame a piece mostly falls: x (0), to front or back, or y (1)."""
+    depth, length = np.ptp(piece.solid.vertices[:, :2], axis=0)
+    return 0 if depth <= MUCH_DEEPER * length else 1
+
+
+def swept_floor(piece: Piece) -> Convex:
+    """Return the floor over which a piece comes in falling, to either side."""
+    low, high = piece.solid.vertices.min(axis=0), piece.solid.vertices.max(axis=0)
+    reach = np.zeros(2)
+    reach[falls_across(piece)] = high[2] - low[2] + piece.at[2]
+    (x_low, y_low), (x_high, y_high) = low[:2] - reach, high[:2] + reach
+    corners = np.array(
+        [(x, y, z) for x in (x_low, x_high) for y in (y_low, y_high) for z in (-piece.at[2], high[2])]
+    )
+    axes = np.eye(3)[np.newaxis] @ piece.turn.T
+    return Convex((corners @ piece.turn.T + np.asarray(piece.at))[np.newaxis], axes, axes)
 
 
 def run_in_groups(

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -56,8 +57,9 @@ class ConvexShape:
     inertia: NDArray[np.float64]
 
     @classmethod
+    @lru_cache(maxsize=256)
     def of(cls, solid: Solid) -> ConvexShape:
-        """Return that of a solid."""
+        """Return that of a solid; what stands in several options is the same."""
         edges = np.concatenate(
             [solid.vertices[np.roll(face, -1)] - solid.vertices[face] for face in solid.faces]
         )

@@ -64,8 +64,13 @@ def _springs_of(
 def _set_vectors(springs: NDArray[np.void] | np.void, **vectors: NDArray[np.float64]) -> None:
     """Set vectors of springs, shape (..., 3), by the letters that their components begin with."""
     for name, values in vectors.items():
-        for number, axis in enumerate("xyz"):
-            springs[f"{name}{axis}"] = values[..., number]
+        set_fields(springs, [f"{name}{axis}" for axis in "xyz"], values)
+
+
+def set_fields(rows: NDArray[np.void] | np.void, names: Sequence[str], vectors: NDArray[np.float64]) -> None:
+    """Set fields of rows to the components of vectors, shape (..., fields)."""
+    for number, name in enumerate(names):
+        rows[name] = vectors[..., number]
 
 
 def joint_springs(pieces: Sequence[Piece], joints: Sequence[Joint]) -> NDArray[np.void]:
@@ -237,6 +242,7 @@ def placed(
     drawn_floor: Callable[[Floor], Floor] = lambda floor: floor,
     names: Sequence[str | Phrase] = (),
     initial: State | None = None,
+    planes: NDArray[np.void] | None = None,
 ) -> tuple[Placed, ...]:
     """Return the bodies of a scene with their measures in place.
 
@@ -252,6 +258,8 @@ def placed(
         How refusals call the pieces; by default as `Scene.called`.
     initial : State, optional
         The initial state of furniture; at rest by default.
+    planes : ndarray of PLANE, optional
+        The room as `planes_around` gives it, where that is known.
 
     Raises
     ------
@@ -259,7 +267,7 @@ def placed(
         Measures that cannot be put in place.
     """
     room = scene.around
-    planes, floor = planes_around(scene.pieces, room), room_row(room)
+    planes, floor = planes_around(scene.pieces, room) if planes is None else planes, room_row(room)
     none = np.zeros(0, SPRING)
     bodies: list[Placed] = []
     for number, member in enumerate(scene.pieces):

@@ -26,6 +26,7 @@ from stayput.measures.measure import hold
 from stayput.model.floor_plan import FACING, PLACE_NAMES, FloorPlan, PersonPlace
 from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room, Wall
 from stayput.simulation.piece import BEHIND, Piece, inside_each_other, vector_of
+from stayput.simulation.placement import Placement, turned, wall_after
 from stayput.simulation.run import default_names
 from stayput.simulation.space_engine import DEEPEST
 from stayput.wording import name_quoted
@@ -265,18 +266,40 @@ class Scene:
         room = hold(piece.body, self.room, [*of_room, *poles]).room
         return replace(self, pieces=[replace(piece, measures=measures)], room=room)
 
-    def shifted(self, x: float, y: float) -> Scene:
-        """Return the scene in axes whose origin is at a point of the floor; its walls are those around it."""
-        pieces = [replace(piece, at=(piece.at[0] - x, piece.at[1] - y, piece.at[2])) for piece in self.pieces]
-        joints = [
+    def along(self, axes: Placement) -> Scene:
+        """Return the scene in axes that stand in it: positions from their origin, walls as they are there.
+
+        Positions are rounded to a picometre, and 0 is added, which makes 0 of −0, so that copies of a piece
+        are the same to the bit.
+        """
+        turns = -axes.quarter_turns
+
+        def point(at: tuple[float, float, float]) -> tuple[float, float, float]:
+            x, y, z = (
+                turned(np.array([at[0] - axes.x, at[1] - axes.y, at[2]]), turns).round(12) + 0.0
+            ).tolist()
+            return x, y, z
+
+        def vector(of_piece: tuple[float, float, float]) -> tuple[float, float, float]:
+            x, y, z = (turned(np.array(of_piece), turns) + 0.0).tolist()
+            return x, y, z
+
+        pieces = [
             replace(
-                joint,
-                at=(joint.at[0] - x, joint.at[1] - y, joint.at[2]),
-                to=joint.to and (joint.to[0] - x, joint.to[1] - y, joint.to[2]),
+                piece,
+                at=point(piece.at),
+                heading=math.remainder(piece.heading - axes.heading, 2.0 * math.pi) + 0.0,
+                velocity=vector(piece.velocity),
+                rotation_rate=vector(piece.rotation_rate),
             )
+            for piece in self.pieces
+        ]
+        joints = [
+            replace(joint, at=point(joint.at), to=None if joint.to is None else point(joint.to))
             for joint in self.joints
         ]
-        return replace(self, pieces=pieces, room=self.around, plan=None, joints=joints)
+        walls = {wall_after(name, turns): getattr(self.around, name) for name in WALLS_AROUND}
+        return replace(self, pieces=pieces, room=replace(self.around, **walls), plan=None, joints=joints)
 
     def moved(self, moves: Iterable[tuple[str, tuple[float, float], float]]) -> Scene:
         """Return the scene with pieces and places of people elsewhere: their middles, and what they face."""

@@ -23,11 +23,12 @@ from stayput.model.parameters import GRAVITY
 from stayput.simulation.case import scene_of
 from stayput.simulation.groups import Group, Track, groups_at_first, joined_traces, run_in_groups, tracks_of
 from stayput.simulation.outcome import OUTCOMES, Hit, Outcome, case_results
-from stayput.simulation.placing import Placed, joint_results, joint_springs, placed, planes_around
+from stayput.simulation.placement import ORIGIN, Placement
+from stayput.simulation.placing import Placed, joint_results, joint_springs, placed, planes_around, set_fields
 from stayput.simulation.run import PieceRun, Run, default_names
-from stayput.simulation.space_engine import STEP, TOUCHES, SpaceShaking, SpaceTrace, run_world
+from stayput.simulation.space_engine import STEP, TOUCHES, Gaps, SpaceShaking, SpaceTrace, run_world
 from stayput.simulation.space_fate import Fate, fates_of, slides, unrolled, upright_yaws
-from stayput.simulation.space_records import frames_of, matrices, surface_of, world_of
+from stayput.simulation.space_records import APART, frames_of, matrices, product, surface_of, world_of
 from stayput.wording import joined, name_within
 
 if TYPE_CHECKING:
@@ -77,14 +78,14 @@ def simulate_scene(
 class Trace:
     """Bodies as the engine ran them: bodies, room, what became of them and what holds them, and g [m/s²].
 
-    Places are from an origin on the floor, at x and y of the room [m].
+    They are in axes of their own, which stand in the room at a `Placement`.
     """
 
     bodies: tuple[Placed, ...]
     planes: NDArray[np.void]
     trace: SpaceTrace
     gravity: float
-    origin: tuple[float, float] = (0.0, 0.0)
+    axes: Placement = ORIGIN
 
     @cached_property
     def pieces(self) -> list[Piece]:
@@ -102,30 +103,79 @@ class Trace:
 
     def tracks(self, dt: float) -> list[Track]:
         """Return where in the room the bodies were; see `stayput.simulation.groups`."""
-        tracks = tracks_of(self.pieces, self.trace, dt, self.turns)
-        return [track.shifted(np.array(self.origin)) for track in tracks]
+        return [track.placed(self.axes) for track in tracks_of(self.pieces, self.trace, dt, self.turns)]
 
     def in_room(self) -> Trace:
-        """Return the same with places from the origin of the room."""
-        x, y = self.origin
-        if x == 0.0 and y == 0.0:
+        """Return the same in the axes of the room."""
+        axes = self.axes
+        if axes == ORIGIN:
             return self
-        origin, bodies = np.array([x, y, 0.0]), list[Any]()
+        half = 0.5 * axes.heading
+        turn = np.array([math.cos(half), 0.0, 0.0, math.sin(half)])
+        bodies = list[Any]()
         for body in self.bodies:
-            piece, pose = body.piece, body.pose.copy()
-            pose["x"] += x
-            pose["y"] += y
-            at = piece.at[0] + x, piece.at[1] + y, piece.at[2]
-            bodies.append(body._replace(piece=replace(piece, at=at), pose=pose))
+            pose = body.pose.copy()
+            set_fields(pose, "xyz", axes.points(_vectors(pose, "xyz")))
+            for names in (("vx", "vy", "vz"), ("lx", "ly", "lz")):
+                set_fields(pose, names, axes.directions(_vectors(pose, names)))
+            set_fields(pose, QUATERNION, product(turn, _vectors(pose, QUATERNION)))
+            bodies.append(body._replace(piece=_piece_in_room(body.piece, axes), pose=pose))
         planes, springs, hits = self.planes.copy(), self.trace.springs.copy(), self.trace.hits.copy()
-        planes["offset"] += planes["nx"] * x + planes["ny"] * y
-        held = springs["other"] == ROOM
-        springs["ax"][held] += x
-        springs["ay"][held] += y
-        hits["x"] += x
-        hits["y"] += y
-        trace = self.trace._replace(place=self.trace.place + origin, springs=springs, hits=hits)
+        normals = axes.directions(_vectors(planes, ("nx", "ny", "nz"))) + 0.0  # of −0 comes 0
+        set_fields(planes, ("nx", "ny", "nz"), normals)
+        planes["offset"] += planes["nx"] * axes.x + planes["ny"] * axes.y
+        to_room = springs["other"] == ROOM
+        anchors, normals = _vectors(springs, ("ax", "ay", "az")), _vectors(springs, ("nx", "ny", "nz"))
+        set_fields(springs, ("ax", "ay", "az"), np.where(to_room[:, None], axes.points(anchors), anchors))
+        set_fields(springs, ("nx", "ny", "nz"), np.where(to_room[:, None], axes.directions(normals), normals))
+        set_fields(hits, HISTORY[:3], axes.points(_vectors(hits, HISTORY[:3])))
+        set_fields(hits, HISTORY[3:7], product(turn, _vectors(hits, HISTORY[3:7])))
+        trace = self.trace._replace(
+            place=axes.points(self.trace.place),
+            attitude=product(turn, self.trace.attitude),
+            velocity=axes.directions(self.trace.velocity),
+            rotation_rate=axes.directions(self.trace.rotation_rate),
+            pressing=axes.directions(self.trace.pressing),
+            springs=springs,
+            hits=hits,
+        )
         return Trace(tuple(bodies), planes, trace, self.gravity)
+
+    def among(self, planes: NDArray[np.void]) -> Trace:
+        """Return the same among all planes of a room, of which it may have run with some."""
+        if len(planes) == len(self.planes):
+            return self
+        names = [*map(surface_of, planes)]
+        places = np.array([names.index(surface_of(plane)) for plane in self.planes])
+        gaps = list[Gaps]()
+        for each in self.trace.gaps:
+            room = np.full((len(each.room), len(planes)), np.inf)
+            room[:, places] = each.room
+            gaps.append(each._replace(room=room))
+        hits = self.trace.hits.copy()
+        hits["plane"] = np.append(places, -1)[hits["plane"]]
+        trace = self.trace._replace(gaps=(gaps[0], gaps[1]), hits=hits)
+        return Trace(self.bodies, planes, trace, self.gravity)
+
+
+QUATERNION = ("qw", "qx", "qy", "qz")
+
+
+def _vectors(rows: NDArray[np.void], names: Sequence[str]) -> NDArray[np.float64]:
+    """Return fields of rows as vectors, shape (..., fields)."""
+    return np.stack([rows[name] for name in names], axis=-1)
+
+
+def _piece_in_room(piece: Piece, axes: Placement) -> Piece:
+    """Return a piece in the room in which its axes stand."""
+    at, velocity, rotation_rate = (np.array(each) for each in (piece.at, piece.velocity, piece.rotation_rate))
+    return replace(
+        piece,
+        at=tuple(axes.points(at).tolist()),
+        heading=math.remainder(piece.heading + axes.heading, 2.0 * math.pi),
+        velocity=tuple(axes.directions(velocity).tolist()),
+        rotation_rate=tuple(axes.directions(rotation_rate).tolist()),
+    )
 
 
 def trace_scene(
@@ -155,7 +205,8 @@ def trace_scene(
         names = names_of(scene, group)
         return trace_together(part, shaking, gravity, step, names=names, initial=initial).in_room()
 
-    return trace_groups(scene, run, shaking.dt)
+    traces = run_in_groups(groups_at_first(scene), run, lambda traced: traced.tracks(shaking.dt))
+    return joined_groups(scene, traces)
 
 
 def names_of(scene: Scene, numbers: Sequence[int]) -> list[str | Phrase]:
@@ -164,19 +215,18 @@ def names_of(scene: Scene, numbers: Sequence[int]) -> list[str | Phrase]:
     return [phrase("simulation.the_piece") if alone else scene.called(number) for number in numbers]
 
 
-def trace_groups(scene: Scene, run: Callable[[Group], Trace], dt: float) -> Trace:
-    """Run the pieces of a scene, those together that meet, and return the runs of all groups as one.
+def joined_groups(scene: Scene, traces: Mapping[Group, Trace]) -> Trace:
+    """Return the runs of the groups of pieces of a scene as one.
 
     Parameters
     ----------
     scene : Scene
         The pieces, and where they stand.
-    run : callable
-        Runs a group; returns it `Trace.in_room`.
-    dt : float
-        Time between the samples [s].
+    traces : mapping
+        The run of each group, `Trace.in_room`.
     """
-    traces = run_in_groups(groups_at_first(scene), run, lambda traced: traced.tracks(dt))
+    planes = planes_around(scene.pieces, scene.around)
+    traces = {group: traced.among(planes) for group, traced in traces.items()}
     if len(traces) == 1:
         return next(iter(traces.values()))
     numbered = {n: body for group in traces for n, body in zip(group, traces[group].bodies, strict=True)}
@@ -191,7 +241,7 @@ def trace_groups(scene: Scene, run: Callable[[Group], Trace], dt: float) -> Trac
     ]
     trace = joined_traces({group: traced.trace for group, traced in traces.items()}, springs_of)
     gravity = next(iter(traces.values())).gravity
-    return Trace(bodies, planes_around(scene.pieces, scene.around), trace, gravity)
+    return Trace(bodies, planes, trace, gravity)
 
 
 def trace_together(
@@ -203,7 +253,9 @@ def trace_together(
     drawn_floor: Callable[[Floor], Floor] = lambda floor: floor,
     names: Sequence[str | Phrase] = (),
     initial: State | None = None,
-    lies: float = math.inf,
+    stop_after_rest: float = math.inf,
+    *,
+    make_room: bool = False,
 ) -> Trace:
     """Run the pieces of a scene as one group, from where the leftmost stands: its bits do not depend on that.
 
@@ -219,20 +271,28 @@ def trace_together(
         How refusals call the pieces; by default as `names_of`.
     initial : State, optional
         The initial state of furniture; at rest by default.
-    lies : float
+    stop_after_rest : float
         How long all pieces lie before the run ends [s].
+    make_room : bool
+        Whether walls give way to what leans into them as it stands: in draws, which lean other than stated.
     """
     called = names or names_of(scene, range(len(scene.pieces)))
-    x, y, _ = min(piece.at for piece in scene.pieces)
-    scene = scene.shifted(x, y) if x or y else scene
-    bodies = placed(scene, strength, drawn_floor, called, initial)
+    axes = Placement(*min(piece.at for piece in scene.pieces)[:2])
+    scene = scene.along(axes) if axes != ORIGIN else scene
     planes = planes_around(scene.pieces, scene.around)
+    bodies = placed(scene, strength, drawn_floor, called, initial, planes)
     pieces, floors = [body.piece for body in bodies], [body.floor for body in bodies]
+    if make_room:
+        for plane in planes:
+            if plane["nz"] != 0.0:  # neither the floor nor the ceiling
+                continue
+            normal = (float(plane["nx"]), float(plane["ny"]), float(plane["nz"]))
+            plane["offset"] = min(plane["offset"], *(piece.reach(normal)[0] - APART for piece in pieces))
     world = world_of([piece.solid for piece in pieces], floors, planes, scene.friction)
     springs = np.concatenate([*(body.springs for body in bodies), joint_springs(pieces, scene.joints)])
     poses, moved = np.stack([body.pose for body in bodies]), (shaking.acceleration, shaking.dt)
-    trace = run_world(world, poses, springs, *moved, step, gravity, lies, called)
-    return Trace(bodies, planes, trace, gravity, (x, y))
+    trace = run_world(world, poses, springs, *moved, step, gravity, stop_after_rest, called)
+    return Trace(bodies, planes, trace, gravity, axes)
 
 
 def results_of(traced: Trace, time: NDArray[np.float64]) -> NDArray[np.void]:
@@ -308,7 +368,7 @@ def run_case(
     body, room, start = from_flat_fields(numbers)
     shaken = SpaceShaking(numbers["motion.scale"] * shaking.acceleration, shaking.dt)
     scene = scene_of(body, room, measures)
-    traced = trace_together(scene, shaken, numbers["gravity"], initial=start, lies=ENDS)
+    traced = trace_together(scene, shaken, numbers["gravity"], initial=start, stop_after_rest=ENDS)
     springs, devices = traced.trace.springs[np.newaxis], traced.trace.devices[np.newaxis]
     return case_results(springs, results_of(traced, shaken.times), devices)
 

@@ -191,7 +191,7 @@ def run_world(
     dt: float,
     step: float,
     gravity: float,
-    lies: float,
+    stop_after_rest: float,
     names: Sequence[str | Phrase],
 ) -> SpaceTrace:
     """Run bodies in a room.
@@ -210,7 +210,7 @@ def run_world(
         Time between samples, and longest step that is not extrapolated [s].
     gravity : float
         g [m/s²].
-    lies : float
+    stop_after_rest : float
         How long all bodies lie before the run ends [s]: they stay where they are then.
     names : sequence of str or Phrase
         What refusals call the bodies.
@@ -239,7 +239,7 @@ def run_world(
     output = histories, forces, hits, numbers, peaks, work
     omega, longer = fastest_vibration(numbered, world[0]), LONGER_HELD if len(springs) else LONGER
     longest, refined = min(step, dt, SMOOTH / omega), min(longer * step, SMOOTH_REFINED / omega)
-    times = np.array([dt, longest, gravity, lies, refined])
+    times = np.array([dt, longest, gravity, stop_after_rest, refined])
     scratch = scratch_of(world, len(springs))
     run_in_space(world, held, both, acceleration[:1], times, scratch, output)  # notes gaps, takes no step
     first = gaps_of(world, scratch[2][0], back)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from stayput.verification.compare import LEVELS
 from stayput.verification.entry import verify
 from stayput.verification.verdict import Verdict
 
-__all__ = ["LEVELS", "Verdict", "verify"]
+__all__ = ["Verdict", "verify"]

@@ -99,8 +99,7 @@ class FreeFloor:
         """
         if (corners < -1e-9).any() or (corners > np.array([self.plan.width, self.plan.length]) + 1e-9).any():
             return False
-        others = (piece for number, piece in enumerate(self.pieces) if number != but_piece)
-        solid = [_outline(piece) for piece in others]
+        solid = [outline for number, outline in enumerate(self._outlines) if number != but_piece]
         taken = [*solid, *(place.corners for place in self.plan.places if place.name != but_place)]
         taken += [
             _before(self.plan, door.wall, door.start, door.width, door.width) for door in self.plan.doors
@@ -120,13 +119,20 @@ class FreeFloor:
         return self._with_passage(beds, solid) >= needed
 
     @cached_property
+    def _outlines(self) -> list[NDArray[np.float64]]:
+        """What the pieces cover as they stand."""
+        return [
+            outline_of(piece.solid.vertices @ piece.turn.T + np.asarray(piece.at)) for piece in self.pieces
+        ]
+
+    @cached_property
     def _beds(self) -> dict[str, NDArray[np.float64]]:
         """What people lie or sit on that takes the floor, by name."""
         return {place.name: place.corners for place in self.plan.places if place.blocks}
 
     @cached_property
     def _with_passage_now(self) -> set[str]:
-        return self._with_passage(self._beds, [_outline(piece) for piece in self.pieces])
+        return self._with_passage(self._beds, self._outlines)
 
     def _with_passage(
         self, beds: Mapping[str, NDArray[np.float64]], solid: Sequence[NDArray[np.float64]]
@@ -140,10 +146,6 @@ class FreeFloor:
             return bool(inside) and not any(overlap(strip, other) for other in others)
 
         return {name for name, bed in beds.items() if any(free(strip, name) for strip in passages(bed))}
-
-
-def _outline(piece: Piece) -> NDArray[np.float64]:
-    return outline_of((piece.solid.vertices @ piece.turn.T) + np.asarray(piece.at))
 
 
 def passages(bed: NDArray[np.float64]) -> Iterator[NDArray[np.float64]]:
@@ -165,6 +167,8 @@ def _before(plan: FloorPlan, wall: str, start: float, width: float, depth: float
 
 def overlap(first: NDArray[np.float64], second: NDArray[np.float64]) -> bool:
     """Return whether two convex outlines overlap by more than rounding."""
+    if ((first.min(axis=0) >= second.max(axis=0)) | (second.min(axis=0) >= first.max(axis=0))).any():
+        return False  # the rectangles around most pairs are apart, which is told faster
     for corners in (first, second):
         sides = np.roll(corners, -1, axis=0) - corners
         outwards = np.column_stack((sides[:, 1], -sides[:, 0]))
@@ -238,11 +242,11 @@ def refuse_unheld(scene: Scene, body: int) -> None:
     body : int
         Which of them.
     """
-    all_placed = placed(scene)
-    pieces, held = [each.piece for each in all_placed], all_placed[body].held
+    (on_it,) = placed(scene.part([body]))
+    held = on_it.held
     assert held is not None
-    others = (piece for number, piece in enumerate(pieces) if number != body)
-    if any(inside_each_other(pieces[body], piece) > DEEPEST for piece in others):
+    others = (piece for number, piece in enumerate(scene.pieces) if number != body)
+    if any(inside_each_other(on_it.piece, piece) > DEEPEST for piece in others):
         raise InputError("rooms.leans_into", "measures")
     on_wall = {measure.kind for measure in held.measures if measure.drilled}
     if not on_wall:

@@ -3,53 +3,47 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import cache, partial
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stayput.errors import InputError, not_allowed, numbers, within
-from stayput.fragility.curve import FragilityCurve, fragility_curve
+from stayput.fragility.curve import FragilityCurve
 from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY, IntensityMeasure
-from stayput.fragility.paired import Difference, difference
-from stayput.fragility.probabilities import probability
 from stayput.fragility.trials import Trials
 from stayput.measures.element import weakest
 from stayput.mechanics.devices.columns import HOLDS
-from stayput.montecarlo.counting import Outcomes, Quantiles, worst_of
-from stayput.montecarlo.sampling import FIRST_SAMPLES, Settings, sample_until_precise
+from stayput.montecarlo.counting import OFFSETS, Members, Outcomes, Quantiles, worst_of
+from stayput.montecarlo.sampling import Settings
 from stayput.montecarlo.scaled_motions import FloorMotions, ScaledMotions
 from stayput.motion.intensity import INTENSITY_RANGE
 from stayput.progress import tally
 from stayput.simulation.groups import at_rest
 from stayput.simulation.placing import JOINT
 from stayput.verification.contents import ContentsVerdict, contents_verdicts
-from stayput.verification.contest import Contest
+from stayput.verification.demand import with_demand
 from stayput.verification.events import zones_of
+from stayput.verification.meetings import meetings_of
 from stayput.verification.notes import Estimates
+from stayput.verification.option_runner import OptionRunner
 from stayput.verification.options import compared_options
 from stayput.verification.people import hardest, harm_of, people_of, typical_of
+from stayput.verification.race import Race, paired
 from stayput.verification.ranking import in_order, ranks_of
 from stayput.verification.search import tried_options
 from stayput.verification.verdict import AsInstalled, DeviceSummary, OptionVerdict, PieceVerdict, Verdict
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
+    from stayput.fragility.paired import Difference
     from stayput.measures import Element
-    from stayput.montecarlo.runs import Falls, Runs
+    from stayput.montecarlo.runs import Runs
     from stayput.scenario import Scenario
     from stayput.scenario.measures import Option
-
-LEVELS: NDArray[np.float64] = np.linspace(4.25, 7.0, 12)
-"""JMA intensities of the ground for the fragility curves: ends and middles of the classes from 4 to 7."""
-LEVELS.setflags(write=False)
-
-FIRST_RUNS = 20
-"""Runs of a scene with each option after which there is a first answer, at least."""
 
 CAPACITIES = (0.1, 0.5)
 """Shares of overturning for which the intensity is given."""
@@ -62,7 +56,6 @@ def compare(
     levels: ArrayLike | None,
     further: Sequence[IntensityMeasure] = (),
     slide_limit: float,
-    every_run: bool,
     threads: int | None,
     progress: bool | None,
     on_progress: Callable[[int, int], None] | None,
@@ -70,98 +63,89 @@ def compare(
 ) -> Verdict:
     """Compare the options of a scenario; see `stayput.verify`."""
     began, limit = time.perf_counter(), slide_limit
-    rows = _levels(scenario, levels, further)
+    asked = _levels(levels)
     options, impossible = compared_options(scenario)
     search = changes and scenario.plan is not None and not scenario.options
-    scaled_motions = ScaledMotions.of(scenario, tuple(further))
+    drawn = levels is None and (scenario.alone or bool(further))
     faulty = _badly_installed(options, scenario)
-    runs_each = len(scaled_motions.ground) * Settings.of(scenario, len(scaled_motions.ground), limit).samples
-    total = runs_each * (len(options) * (1 + len(rows)) + len(faulty))
-    with tally(total, "progress.verifying", progress, on_progress) as count:
-        contest = Contest(scenario, limit, threads, scaled_motions=scaled_motions, advance=count)
-        floors, settings = contest.floors, contest.settings
-        estimates = Estimates.of(scenario.piece.body(), floors, scenario, threads) if scenario.alone else None
+    scaled_motions = ScaledMotions.of(scenario, tuple(further))
+    settings = Settings.of(scenario, len(scaled_motions.ground), limit)
+    most = settings.runs * (len(options) * (1 + len(asked)) + len(faulty))
+    with tally(most, "progress.verifying", progress, on_progress) as count:
+        runner = OptionRunner(
+            scenario,
+            limit,
+            threads,
+            scaled_motions=scaled_motions,
+            beside=drawn,
+            levels=asked.tolist(),
+            advance=count,
+        )
+        floors, race = runner.floors, Race(runner, options)
+        known: KnownVerdicts = {}
 
-        def so_far(outcomes: Sequence[Runs], samples: int) -> Verdict:
-            verdict = Verdict(
+        def so_far(**more: Any) -> Verdict:
+            return Verdict(
                 scenario=scenario,
                 intensity=floors.median_intensity,
                 slide_limit=limit,
-                options=verdicts_of(contest, options, outcomes),
-                estimates=estimates,
+                options=verdicts_of(runner, race.options, race.runs, known, **more),
                 motions=settings.motions,
-                samples=samples,
-                runs=len(options) * settings.motions * samples,
+                runs=count.done,
                 seed=settings.seed,
                 seconds=time.perf_counter() - began,
+                levels=asked,
+                precise=race.precise or settings.precision is None,
                 impossible=impossible,
                 complete=False,
                 floor=floors.floor,
             )
-            if on_verdict is not None:
-                on_verdict(verdict)
-            return verdict
 
-        def run(_: list[int], samples: int, start: int) -> list[Runs]:
-            return contest.run(options, samples, start, keep=scenario.plan is not None)
+        def run(looks: Iterator[None]) -> None:
+            for _ in looks:
+                if on_verdict is not None:
+                    on_verdict(so_far())
 
-        first = FIRST_SAMPLES if contest.in_plane else -(-FIRST_RUNS // settings.motions)
-        # All options go on together, since they are compared sample by sample.
-        here, samples, precise = sample_until_precise(
-            len(options),
-            settings,
-            run,
-            together=True,
-            first=first,
-            on_batch=None if on_verdict is None else so_far,
-        )
-        verdict = so_far(here, samples)
+        all_of_them = scenario.uncertainty.samples is not None and settings.precision is None
+        run(race.all_runs() if all_of_them else race.looks())
         if search:
-            tried = [*tried_options(contest, options[0], here[0])]
-            count.total += len(tried) * settings.motions * samples
-            for option in tried:
-                options = (*options, option)
-                here += contest.run([option], samples)
-                verdict = so_far(here, samples)
-        at_a_level, badly = (number * settings.motions * samples for number in (len(options), len(faulty)))
-        if unneeded := total - at_a_level * (1 + len(rows)) - badly:  # samples beyond the asked precision
-            count(max(0, unneeded))
-        more: dict[str, Any] = {}
+            race.add([*tried_options(runner, options[0], race.runs[0].stated)])
+            run(race.all_runs() if all_of_them else race.looks())
+        more: dict[str, Any] = {"drawn": drawn or len(asked) > 0}
         if faulty:
-            bad_runs = contest.run([option for option, *_ in faulty], samples)
-            well = {option.name: runs for option, runs in zip(options, here, strict=True)}
+            well = {option.name: runs for option, runs in zip(options, race.runs, strict=False)}
             more["installed"] = {
-                option.name: _as_installed(how, share, well[option.name], runs, limit)
-                for (option, how, share), runs in zip(faulty, bad_runs, strict=True)
+                option.name: _as_installed(how, share, runner, option, well[option.name])
+                for option, how, share in faulty
             }
-        more["inside"] = contents_verdicts(contest, options)
-        made = 0
-        if len(rows):
-            floors_at = cache(partial(scaled_motions.at, threads=threads))
-            more["falls"], made = contest.falls(options, here, rows, floors_at, every_run=every_run)
-            more["measures"] = [floors_at(float(level)) for level in rows]
-        if more["inside"] or faulty or len(rows):
-            verdict = replace(verdict, options=verdicts_of(contest, options, here, **more))
-    return replace(
-        verdict,
-        seconds=time.perf_counter() - began,
-        levels=rows,
-        runs=at_a_level + badly + made,
-        settled=at_a_level * len(rows) - made,
-        precise=precise,
-        complete=True,
-    )
+        counts = [len(runs.members) for runs in race.runs]
+        more["inside"] = contents_verdicts(runner, options, counts)
+        if len(asked):
+            more["at_levels"] = [
+                runner.run(
+                    race.options, Members.of_samples(settings.motions, settings.samples, level=1 + level)
+                )
+                for level in range(len(asked))
+            ]
+        verdict = so_far(**more)
+        best, *others = verdict.options
+        alone = scenario.alone
+        verdict = replace(
+            verdict,
+            # the first answer does not wait for response spectra of all motions: they take as long as runs
+            estimates=Estimates.of(scenario.piece.body(), floors, scenario, threads) if alone else None,
+            options=(with_demand(runner, best), *others),
+            runs=count.done,
+            kinds=(0,) if alone else runner.scene_runner.library.draws.kinds,
+            meetings=meetings_of(runner, options[0], race.runs[0]),
+        )
+    return replace(verdict, complete=True)
 
 
-def _levels(
-    scenario: Scenario, levels: ArrayLike | None, further: Sequence[IntensityMeasure]
-) -> NDArray[np.float64]:
-    """Return the levels of the fragility curves: those asked for, or the usual ones.
-
-    Of scenes, whose runs are longer, there are none unless a measure for their curves is asked for.
-    """
+def _levels(levels: ArrayLike | None) -> NDArray[np.float64]:
+    """Return the levels that are asked for: JMA intensities of the ground at which all options run."""
     if levels is None:
-        return LEVELS if scenario.alone or further else np.empty(0)
+        return np.empty(0)
     rows = numbers("fragility.level", levels, "levels")
     if rows.ndim != 1:
         raise not_allowed("fragility.level", repr(levels), "common.list", "levels")
@@ -186,9 +170,10 @@ def _badly_installed(
 
 
 def _as_installed(
-    how: tuple[Phrase, ...], share: float, well: Runs, badly: Runs, limit: float
+    how: tuple[Phrase, ...], share: float, runner: OptionRunner, bad: Option, well: Runs
 ) -> AsInstalled:
-    ends = well.probabilities(limit), badly.probabilities(limit)
+    (badly,) = runner.run([bad], well.members)
+    ends = [runs.probabilities(runner.settings.slide_limit) for runs in (well, badly)]
     usual = {
         event: (1.0 - share) * chance.estimate + share * ends[1][event].estimate
         for event, chance in ends[0].items()
@@ -196,62 +181,84 @@ def _as_installed(
     return AsInstalled(share, how, ends[1], usual)
 
 
-def _curves(
-    name: str, falls: Falls, measures: Sequence[FloorMotions]
-) -> dict[IntensityMeasure, FragilityCurve]:
+def _curves(name: str, floors: FloorMotions, runs: Sequence[Runs]) -> dict[IntensityMeasure, FragilityCurve]:
+    """Return the curves of an option from all its runs."""
+    made = Outcomes.joined([each.outcomes for each in runs])
+    place, of_floors = floors.place(made.members), floors.floor != ""
     return {
-        im: fragility_curve(
-            Trials.from_runs(
-                FLOOR_JMA if im == JMA_INTENSITY and measures[0].floor else im,
-                np.stack([floors.measures[im] for floors in measures]),
-                falls.overturned,
-                falls.missing,
+        im: FragilityCurve(
+            name,
+            Trials.of_runs(
+                FLOOR_JMA if im == JMA_INTENSITY and of_floors else im,
+                values[place],
+                made.overturned,
+                made.missing,
+                made.members.motion,
+                len(OFFSETS) if len(runs) == 1 else len(runs),
             ),
-            name=name,
         )
-        for im in measures[0].measures
+        for im, values in floors.measures.items()
     }
 
 
+KnownVerdicts: TypeAlias = "dict[tuple[int, ...], tuple[Sequence[Runs], OptionVerdict]]"
+"""Verdicts on options with the runs that they are of, by the number of options and the ids of these runs."""
+
+
 def verdicts_of(
-    contest: Contest,
+    runner: OptionRunner,
     options: Sequence[Option],
     outcomes: Sequence[Runs],
+    known: KnownVerdicts,
     *,
-    falls: Sequence[Falls] = (),
-    measures: Sequence[FloorMotions] = (),
+    drawn: bool = False,
+    at_levels: Sequence[Sequence[Runs]] = (),
     installed: Mapping[str, AsInstalled] = MappingProxyType({}),
     inside: Sequence[ContentsVerdict | None] = (),
 ) -> tuple[OptionVerdict, ...]:
     """Return the verdicts on options, that without anything first in its arguments, the best first.
 
-    How they rank is in `stayput.verification.ranking`.
+    How they rank is in `stayput.verification.ranking`. Verdicts on options without new runs are used again.
     """
     verdicts: list[OptionVerdict] = []
     for i, (option, runs) in enumerate(zip(options, outcomes, strict=True)):
-        curves = _curves(option.name, falls[i], measures) if measures else {}
-        verdict = option_verdict(contest, option, runs, outcomes[0] if i else None, len(options) - 1)
+        further = [level[i] for level in at_levels]
+        curves = _curves(option.name, runner.all_floors, [runs, *further]) if drawn else {}
+        bare = outcomes[0] if i else None
+        # where no curve is fitted, further runs of what is without change no difference from it
+        used = (runs,) if bare is None or not runner.members.level.any() else (runs, bare)
+        key = (len(options), *map(id, used))
+        if key not in known:  # the runs are kept with it, so that the ids stay their own
+            known[key] = used, option_verdict(runner, option, runs, bare, len(options) - 1)
+        verdict = known[key][1]
         capacities = {p: curves[JMA_INTENSITY].capacity(p) for p in CAPACITIES} if curves else {}
-        further = {"installed": installed.get(option.name), "contents": inside[i] if inside else None}
-        verdicts.append(replace(verdict, curves=curves, capacities=capacities, **further))
+        verdicts.append(
+            replace(
+                verdict,
+                curves=curves,
+                capacities=capacities,
+                installed=installed.get(option.name),
+                contents=inside[i] if i < len(inside) else None,
+            )
+        )
 
     order = in_order(verdicts)
-    best = outcomes[order[0]]
-    if contest.scenario.plan is None:  # both are shown under the same draw
-        verdicts[0] = replace(verdicts[0], typical=typical_of(outcomes[0], best))
-    ordered, limit = [verdicts[i] for i in order], contest.settings.slide_limit
+    if runner.scenario.plan is None:  # both are shown under the same draw
+        both = (runs.stated for runs in paired(outcomes[0], outcomes[order[0]]))
+        verdicts[0] = replace(verdicts[0], typical=typical_of(*both))
+    ordered, limit = [verdicts[i] for i in order], runner.settings.slide_limit
     ranks = ranks_of(ordered, [outcomes[i] for i in order], limit)
     return tuple(replace(verdict, rank=rank) for verdict, rank in zip(ordered, ranks, strict=True))
 
 
 def option_verdict(
-    contest: Contest, option: Option, runs: Runs, bare: Runs | None, comparisons: int = 1
+    runner: OptionRunner, option: Option, runs: Runs, bare: Runs | None, comparisons: int = 1
 ) -> OptionVerdict:
     """Return the verdict on an option, which has no rank yet.
 
     Parameters
     ----------
-    contest : Contest
+    runner : OptionRunner
         Under whose motions and draws it ran.
     option : Option
         What is in place.
@@ -260,58 +267,70 @@ def option_verdict(
     comparisons : int
         How many options are compared with what is without.
     """
-    limit, scenario = contest.settings.slide_limit, contest.scenario
-    held, failed = contest.held_by(option), runs.devices["failure"] != HOLDS
+    limit, scenario = runner.settings.slide_limit, runner.scenario
+    held, failed = runner.held_by(option), runs.devices["failure"] != HOLDS
     each = [
-        replace(outcomes, device_failed=failed[..., [name in pieces for pieces, _ in held]].any(axis=-1))
+        replace(outcomes, device_failed=failed[:, [name in pieces for pieces, _ in held]].any(axis=1))
         for name, outcomes in zip(scenario.names, runs.of_bodies(), strict=True)
     ]
-    of_bare = [None] * len(each) if bare is None else [*bare.of_bodies()]
+    copies, stated = runner.copies(option), runs.stated
+    of_kinds = [_of_kind(each, copies[n]) for n in range(len(each))]
+    changes: list[Difference | None] = [None] * len(each)
+    if bare is not None:
+        both, of_bare = min(len(runs.members), len(bare.members)), [*bare.of_bodies()]
+        pairs = ([_of_kind(of, numbers, both) for of in (each, of_bare)] for numbers in copies)
+        changes = [now.difference(now.overturned, then, then.overturned, comparisons) for now, then in pairs]
     people, zones, harm = None, [None] * len(each), [0.0] * len(each)
     if scenario.plan is not None:
-        plan, pieces = contest.plan(option), contest.scene(option).pieces
+        plan, pieces = runner.plan(option), runner.scene(option).pieces
         masses = [(name, piece.body.mass) for name, piece in zip(scenario.names, pieces, strict=True)]
-        ends = contest.watcher.ends(plan, [at_rest(piece) for piece in pieces])
-        people = people_of(runs, bare, plan, masses, ends)
-        harm = [harm_of(hardest(runs, [n]), plan.places, runs.missing) for n in range(len(each))]
-        zones = zones_of(runs, pieces, contest.watcher, plan)
+        ends = runner.detector.ends(plan, [at_rest(piece) for piece in pieces])
+        people = people_of(stated, None if bare is None else bare.stated, plan, masses, ends)
+        harm = [harm_of(hardest(stated, [n]), plan.places, stated.missing) for n in range(len(each))]
+        zones = zones_of(stated, pieces, runner.detector, plan)
 
-    def change(of: Outcomes, without: Outcomes | None, *, moved: bool = False) -> Difference | None:
-        if without is None:
+    def change(*, moved: bool = False) -> Difference | None:
+        if bare is None:
             return None
-        now, then = (each.moved(limit) if moved else each.overturned for each in (of, without))
-        return difference(now, then, of.missing | without.missing, comparisons=comparisons)
+        now, then = (each.moved(limit) if moved else each.overturned for each in (runs, bare))
+        return runs.difference(now, bare, then, comparisons)
 
     return OptionVerdict(
         option=option,
         rank=0,
+        runs=len(runs.members),
         probabilities=runs.probabilities(limit),
-        change=change(runs, bare),
-        slid=change(runs, bare, moved=True),
-        slide=Quantiles.of(runs.slide, runs.overturned),
-        tilt=Quantiles.of(runs.tilt, runs.overturned),
-        typical=typical_of(runs),
-        worst=worst_of(runs),
+        change=change(),
+        slid=change(moved=True),
+        slide=Quantiles.of(stated.slide, stated.overturned),
+        tilt=Quantiles.of(stated.tilt, stated.overturned),
+        typical=typical_of(stated),
+        worst=worst_of(stated),
         pieces=tuple(
             PieceVerdict(
                 name,
                 outcomes.probabilities(limit),
-                Quantiles.of(outcomes.slide, outcomes.overturned),
-                Quantiles.of(outcomes.tilt, outcomes.overturned),
+                Quantiles.of(outcomes.stated.slide, outcomes.stated.overturned),
+                Quantiles.of(outcomes.stated.tilt, outcomes.stated.overturned),
                 outcomes.stability(limit),
-                change(outcomes, without),
+                changes[n],
                 harm[n],
                 zones[n],
             )
-            for n, (name, outcomes, without) in enumerate(zip(scenario.names, each, of_bare, strict=True))
+            for n, (name, outcomes) in enumerate(zip(scenario.names, of_kinds, strict=True))
         ),
         devices=tuple(
-            device_summary(pieces, element, number, runs) for number, (pieces, element) in enumerate(held)
+            device_summary(pieces, element, number, stated) for number, (pieces, element) in enumerate(held)
         ),
         curves={},
         capacities={},
         people=people,
     )
+
+
+def _of_kind(outcomes: Sequence[Outcomes], copies: Sequence[int], count: int | None = None) -> Outcomes:
+    """Return the first so many outcomes of each of some copies of a piece: they are of one kind."""
+    return Outcomes.joined([outcomes[number].chosen(slice(count)) for number in copies])
 
 
 def device_summary(
@@ -330,7 +349,7 @@ def device_summary(
     runs : Runs
         The runs.
     """
-    device, missing = runs.devices[:, :, number], runs.missing
+    device, missing = runs.devices[:, number], runs.missing
     nowhere = np.zeros_like(missing)
     along = np.maximum(device["peak_pull"], device["peak_push"])
     failed = device["failure"] != HOLDS
@@ -339,10 +358,10 @@ def device_summary(
     return DeviceSummary(
         kind=kind,
         name=kind if element is None else f"{kind} {element.place}".strip(),
-        failed=probability(failed, missing),
+        failed=runs.probability(failed),
         failure_time=float(np.median(times)) if times.size else np.nan,
         peak=Quantiles.of(runs.masses * np.hypot(along, device["peak_shear"]), nowhere),
-        used=Quantiles.of(runs.used[:, :, number], nowhere),
+        used=Quantiles.of(runs.used[:, number], nowhere),
         weakest=None if element is None else weakest(element, device[~missing]),
         pieces=pieces,
     )

@@ -17,16 +17,18 @@ from stayput.errors import InputError
 from stayput.execution import Pool
 from stayput.fragility.paired import Difference, difference
 from stayput.fragility.probabilities import Probability, probability, probability_of_counts
+from stayput.montecarlo.counting import Members
+from stayput.montecarlo.library import trace_draw
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import DrawTable, Rows, draws, rows_of
 from stayput.montecarlo.scaled_motions import PreparedFloor
-from stayput.montecarlo.scenes import trace_draw
+from stayput.montecarlo.scene_draws import drawn_shaking
 from stayput.uncertainty import QUANTITIES, Uncertainty
 
 if TYPE_CHECKING:
     from stayput.model.body import Body
     from stayput.scenario.measures import Option
-    from stayput.verification.contest import Contest
+    from stayput.verification.option_runner import OptionRunner
 
 OPEN = 0.5
 """How far the drawers of the bound with open drawers are out, as a part of the depth."""
@@ -80,7 +82,9 @@ def _leaving(spilt: Spill) -> NDArray[np.float64]:
 
 @dataclass(frozen=True, slots=True)
 class ContentsVerdict:
-    """What comes out with one option, over one run of each motion, `MOTIONS` at most, with its first draw.
+    """What comes out with one option, over one run of each motion with its first draw.
+
+    There are as many motions as the option has runs in the comparison, `MOTIONS` at most.
 
     Parameters
     ----------
@@ -93,10 +97,11 @@ class ContentsVerdict:
         Mass of what comes out, on average [kg].
     rigid : Probability
         Of overturning in these runs, with all contents fixed to the piece.
-    emptied : Probability
-        The same without the contents: the other bound of what sliding contents do to the piece.
+    emptied : Probability, optional
+        The same without the contents: the other bound of what sliding contents do to the piece. Only of the
+        piece with nothing in place.
     opened : Probability, optional
-        The same with all drawers half out; none without drawers.
+        The same with all drawers half out; only of the piece with nothing in place, where it has drawers.
     leaving : Leaving, optional
         From where and how fast; none where nothing comes out of a piece that stands.
     each_out : ndarray, shape (motions, items)
@@ -109,98 +114,110 @@ class ContentsVerdict:
     toppled: float
     mass_out: float
     rigid: Probability
-    emptied: Probability
+    emptied: Probability | None
     opened: Probability | None
     leaving: Leaving | None
     each_out: NDArray[np.float64] = field(compare=False, repr=False)
     change: Difference | None = None
 
 
-def contents_verdicts(contest: Contest, options: Sequence[Option]) -> list[ContentsVerdict | None]:
+def contents_verdicts(
+    runner: OptionRunner, options: Sequence[Option], runs: Sequence[int]
+) -> list[ContentsVerdict | None]:
     """Follow what is in the furniture; none of each option where the scenario says nothing of contents.
 
     Parameters
     ----------
-    contest : Contest
+    runner : OptionRunner
         Under whose motions and draws the furniture is run.
     options : sequence of Option
-        The options.
+        The options; the first has nothing in place.
+    runs : sequence of int
+        How many runs each has in the comparison.
     """
-    scenario = contest.scenario
+    scenario = runner.scenario
     contents = scenario.contents
     if contents is None:
         return [None] * len(options)
     body = scenario.piece.body()
-    overturns, carrier = (_in_plane if contest.in_plane else _in_space)(contest, options)
-
-    shape = len(options), min(contest.settings.motions, MOTIONS)
+    overturns, carrier = (_in_plane if runner.in_plane else _in_space)(runner, options)
+    most = min(runner.settings.motions, MOTIONS)
+    followed = [(place, motion) for place, of in enumerate(runs) for motion in range(min(of, most))]
 
     def follow(place: int, motion: int) -> Spill | None:
         return _spilt_by(carrier(place, motion), body, contents, leaving=True)
 
-    with Pool(contest.threads) as pool:
-        each = [*pool.in_order(partial(follow, *at) for at in np.ndindex(*shape))]
-    spilt = [each[first : first + shape[1]] for first in range(0, len(each), shape[1])]
-    less = overturns(emptied(body, contents))
-    wide: Sequence[Probability | None] = [None] * len(options)
+    with Pool(runner.threads) as pool:
+        each = [*pool.in_order(partial(follow, *at) for at in followed)]
+    spilt = [
+        [spill for at, spill in zip(followed, each, strict=True) if at[0] == place]
+        for place in range(len(options))
+    ]
+    count = len(spilt[0])
+    less, wide = overturns(emptied(body, contents), count), None
     if contents.drawers != "none":
         try:
             pulled_out = opened(body, contents, OPEN * body.width)
         except InputError:  # it falls as the drawers open, before anything shakes it
-            fallen = np.ones((shape[1], 1), np.bool_)
-            wide = [probability(fallen, ~fallen)] * len(options)
+            fallen = np.ones((count, 1), np.bool_)
+            wide = probability(fallen, ~fallen)
         else:
-            wide = overturns(pulled_out)
-    bare, *others = (_verdict(*parts, contents) for parts in zip(spilt, less, wide, strict=True))
-
-    return [bare, *(replace(other, change=less_out(other, bare, len(others))) for other in others)]
+            wide = overturns(pulled_out, count)
+    bare = _verdict(spilt[0], less, wide, contents)
+    others = (_verdict(of_option, None, None, contents) for of_option in spilt[1:])
+    return [bare, *(replace(other, change=less_out(other, bare, len(options) - 1)) for other in others)]
 
 
 def less_out(first: ContentsVerdict, second: ContentsVerdict, comparisons: int) -> Difference:
     """Return how much likelier it is that an item comes out with the first option than with the second."""
-    a, b = first.each_out, second.each_out
+    both = slice(min(len(first.each_out), len(second.each_out)))
+    a, b = first.each_out[both], second.each_out[both]
     return difference(a == 1.0, b == 1.0, np.isnan(a + b), comparisons=comparisons)
 
 
-FirstRuns: TypeAlias = "tuple[Callable[[Body], list[Probability]], Callable[[int, int], Carrier]]"
-"""How often another body overturns with each option, and how the piece moves under a motion: first draws."""
+FirstRuns: TypeAlias = "tuple[Callable[[Body, int], Probability], Callable[[int, int], Carrier]]"
+"""How often another body with nothing in place overturns under so many motions, and how the piece moves with
+an option under a motion: first draws.
+"""
 
 
-def _in_plane(contest: Contest, options: Sequence[Option]) -> FirstRuns:
-    scenario, settings, floors = contest.scenario, contest.settings, contest.floors
+def _in_plane(runner: OptionRunner, options: Sequence[Option]) -> FirstRuns:
+    scenario, settings, floors = runner.scenario, runner.settings, runner.floors
     drawn = first_draws(settings.motions, settings.seed, settings.as_stated, settings.quantities)
     floors = replace(floors, motions=floors.motions[:MOTIONS], scales=floors.scales[:MOTIONS])
     body, room, stands = scenario.piece.body(), scenario.room.room(), scenario.initial.state()
 
-    def rows(other: Body) -> list[Rows]:
-        return [rows_of(other, room, each.measures, drawn, settings.gravity, stands) for each in options]
+    def rows(of: Body, option: Option) -> Rows:
+        return rows_of(of, room, option.measures, drawn, settings.gravity, stands)
 
-    def overturns(other: Body) -> list[Probability]:
-        each = run_level(rows(other), floors, threads=contest.threads)
-        return [probability(runs.overturned, runs.missing) for runs in each]
+    def overturns(other: Body, count: int) -> Probability:
+        (runs,) = run_level([rows(other, options[0])], floors, threads=runner.threads)
+        return runs.chosen(slice(count)).probability_of_overturning()
 
-    mine, floor = rows(body), PreparedFloor.of(floors.motions, floors.scales)
+    mine = [rows(body, option) for option in options]
+    floor = PreparedFloor.of(floors.motions, floors.scales)
     return overturns, lambda place, motion: _carrier_under(mine[place], motion, floor, body.height)
 
 
-def _in_space(contest: Contest, options: Sequence[Option]) -> FirstRuns:
-    scenario, settings, runner = contest.scenario, contest.settings, contest.runner
-    scenes, stands = [*map(contest.scene, options)], scenario.initial.state()
+def _in_space(runner: OptionRunner, options: Sequence[Option]) -> FirstRuns:
+    scenario, settings, scene_runner = runner.scenario, runner.settings, runner.scene_runner
+    scenes, stands = [*map(runner.scene, options)], scenario.initial.state()
 
-    def overturns(other: Body) -> list[Probability]:
-        others = [
-            replace(scene, pieces=[replace(piece, body=other) for piece in scene.pieces]) for scene in scenes
-        ]
-        chosen = np.ones((len(options), min(settings.motions, MOTIONS), 1), np.bool_)
-        # a runner of its own: scenes are known without their bodies; as in the plane its runs do not count
-        anew = runner.under(contest.floors, lambda _runs: contest.advance(0))
+    def overturns(other: Body, count: int) -> Probability:
+        scene = scenes[0]
+        other_scene = replace(scene, pieces=[replace(piece, body=other) for piece in scene.pieces])
+        # a library of its own: as in the plane its runs do not count
+        anew = scene_runner.anew(lambda _runs: runner.advance(0))
         with scenario.naming_keys():
-            return [probability(*each) for each in zip(*anew.falls(others, chosen), strict=True)]
+            (runs,) = anew.run([other_scene], Members.of_samples(count, 1))
+        return runs.probability_of_overturning()
 
     def carrier(place: int, motion: int) -> Carrier:
-        scene, shaken = scenes[place], runner.shaking(motion, 0)
+        scene, draw = scenes[place], scene_runner.library.draws.draw(motion, 0, ("0",))
+        floor, scale = runner.floors.motions[motion], float(runner.floors.scales[motion])
+        shaken = drawn_shaking(floor, scale, draw, settings.gravity)
         fine = shaken.refined(parts(shaken.dt))
-        traced = trace_draw(scene, runner.draw(motion, 0), fine, settings.gravity, scene.names, stands)
+        traced = trace_draw(scene, draw, fine, settings.gravity, scene.names, stands)
         return Carrier.of_trace(fine, traced, scenario.piece.body().height)
 
     return overturns, carrier
@@ -216,8 +233,7 @@ def runs_of_contents(contents: Contents, motions: int) -> int:
     motions : int
         Motions of the verification.
     """
-    of_the_piece = 2 if contents.drawers == "none" else 3
-    return min(motions, MOTIONS) * (of_the_piece + contents.levels * contents.items)
+    return min(motions, MOTIONS) * (1 + contents.levels * contents.items)
 
 
 def first_draws(
@@ -273,7 +289,7 @@ def share_out(spilt: Sequence[Spill | None], contents: Contents) -> Probability:
 
 
 def _verdict(
-    spilt: Sequence[Spill | None], empty: Probability, open_: Probability | None, contents: Contents
+    spilt: Sequence[Spill | None], empty: Probability | None, open_: Probability | None, contents: Contents
 ) -> ContentsVerdict:
     made = [spill for spill in spilt if spill is not None]
     unknown = np.full(contents.levels * contents.items, np.nan)

@@ -288,7 +288,6 @@ def verify(
     levels: ArrayLike | None = None,
     intensity_measures: Sequence[IntensityMeasure] = (),
     slide_limit: float = SLIDE_LIMIT,
-    every_run: bool = False,
     threads: int | None = None,
     progress: bool | None = None,
     on_progress: Callable[[int, int], None] | None = None,
@@ -296,10 +295,9 @@ def verify(
 ) -> Verdict:
     """Compare measures over motions and over draws of the uncertain quantities.
 
-    Every option meets the same motions and the same draws. At the stated shaking samples are added until
-    every probability has the precision that is asked for, or the most samples are done; then come the levels
-    of the fragility curves, without the runs whose outcome stronger shaking tells: see
-    `stayput.montecarlo.runs`.
+    Every option meets the same motions and the same draws. They run in looks, those of which more has to be
+    known more often, until that is known which people read, to the precision that is asked for or a usual
+    one: see `stayput.verification.race`. A number of samples that is asked for is made of all options.
 
     Parameters
     ----------
@@ -329,32 +327,30 @@ def verify(
         The quantities that are drawn for a body or a case, by the names of `stayput.uncertainty.USUAL`; what
         is not in it is as stated. All, as they are usually, by default.
     samples : int, optional
-        Most runs with each option, spread evenly over the motions, and one of each motion at least: 8 samples
-        of a suite of 40 motions are 40 runs. `Verdict.motions` and `Verdict.samples` say how many were made.
+        Runs with each option, spread evenly over the motions, and one of each motion at least: 8 samples of a
+        suite of 40 motions are 40 runs. Beside a precision the most runs.
     seed : int, optional
         Seed of the draws.
     precision : float, optional
         Half-width of the 95 % interval of the probability of overturning that is enough, of a body or a case.
     levels : array_like, optional
-        JMA intensities of the ground for the fragility curves, increasing; with none in it there are no
-        curves. Default `stayput.verification.LEVELS`; of several pieces and rooms none.
+        JMA intensities of the ground, increasing, at which all options run for the fragility curves beside
+        what is stated; with none in it there are no curves. By default the curves of a lone piece come from
+        the runs of the ranking, of which two in five are beside the stated shaking; others have none.
     intensity_measures : sequence of IntensityMeasure, optional
         What else the curves are drawn against, beside the usual measures: ``MMI`` of
         `stayput.fragility.intensity_measures`, or its ``spectral_acceleration`` at a period.
     slide_limit : float
         Slide that counts as too far [m].
-    every_run : bool
-        Whether to make all runs of the curves, to check those that are settled without.
     threads : int, optional
         As many as there are cores by default. The bits do not depend on them.
     progress : bool, optional
         Whether to draw a bar on standard error; default on a terminal.
     on_progress : callable, optional
-        Called with the runs made or settled and with all runs, for a bar of one's own; an exception that it
-        raises stops the work.
+        Called with the runs made and with the most that there may be, for a bar of one's own; an exception
+        that it raises stops the work.
     on_verdict : callable, optional
-        Called with the ranking as it gets better, before it is `complete`: after some samples, after all and
-        each change, and then come the curves and all else. The samples' bits do not depend on it.
+        Called with the ranking after each look, before it is `complete`.
 
     Returns
     -------
@@ -383,8 +379,7 @@ def verify(
     >>> verdict.motions
     2
     """
-    for name, switch in (("changes", changes), ("every_run", every_run)):
-        instance_of(name, _plain(switch), bool)
+    instance_of("changes", _plain(changes), bool)
     limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
     settings = {"samples": samples, "seed": seed, "precision": precision}
     stated = {key: value for key, value in settings.items() if value is not None}
@@ -415,7 +410,6 @@ def verify(
         levels=levels,
         further=[*known],
         slide_limit=limit,
-        every_run=every_run,
         threads=threads,
         progress=progress,
         on_progress=on_progress,

@@ -17,7 +17,7 @@ from scipy import ndimage
 
 from stayput.mechanics.columns import OVERTURNED_OUTCOME
 from stayput.model.floor_plan import Door, FloorPlan, PersonPlace, rectangle
-from stayput.montecarlo.scenes import FALLS, Seen
+from stayput.montecarlo.scenes import FALLS, RoomEvents
 from stayput.simulation import groups
 from stayput.simulation.groups import Touching, Track, at_rest, body_at, bounds_of, touching_of
 from stayput.simulation.piece import Piece, box_of, separation
@@ -53,7 +53,7 @@ def _middles(side: float) -> NDArray[np.float64]:
 
 
 @dataclass(frozen=True, eq=False)
-class Ways:
+class WalkableGrid:
     """The floor of a room as a grid, for questions of where one can walk.
 
     Parameters
@@ -94,10 +94,6 @@ class Ways:
             over[xs, ys] |= inside
         return over
 
-    def cells(self, corners: NDArray[np.float64]) -> NDArray[np.intp]:
-        """Return the numbers of the cells that a convex outline covers, x-major."""
-        return np.flatnonzero(self.covered([corners]))
-
     @cached_property
     def _taken(self) -> NDArray[np.bool_]:
         """Cells under what people lie and sit on."""
@@ -109,13 +105,25 @@ class Ways:
         Parameters
         ----------
         door : Door
-            One that opens inwards needs the floor that it sweeps; any leaves its width free.
+            One of the plan that opens inwards needs the floor that it sweeps; any leaves its width free.
         covered : ndarray of bool, shape (nx, ny)
             As of `covered`.
         """
         if door.width < PASSAGE:
             return False
-        return door.opens != "inwards" or not (self._swept(door) & covered).any()
+        return door.opens != "inwards" or not (self._cells_swept[door] & covered).any()
+
+    @cached_property
+    def _cells_swept(self) -> dict[Door, NDArray[np.bool_]]:
+        return {door: self._swept(door) for door in self.plan.doors}
+
+    @cached_property
+    def _cells_at_doors(self) -> list[NDArray[np.bool_]]:
+        return [self._at_door(door) for door in self.plan.doors]
+
+    @cached_property
+    def _cells_at_places(self) -> list[NDArray[np.bool_]]:
+        return [self._at_place(place) for place in self.plan.places]
 
     def _swept(self, door: Door) -> NDArray[np.bool_]:
         """Return the cells that a door sweeps until its edge is a person's width from the other jamb."""
@@ -169,8 +177,8 @@ class Ways:
         sizes = np.bincount(parts.ravel())
         main = {int(sizes[1:].argmax()) + 1} if len(sizes) > 1 else set[int]()
         at_doors = [
-            self._beside(parts, self._at_door(door)) if self.opens(door, covered) else set[int]()
-            for door in self.plan.doors
+            self._beside(parts, near) if self.opens(door, covered) else set[int]()
+            for door, near in zip(self.plan.doors, self._cells_at_doors, strict=True)
         ]
         exits = any(door.way_out for door in self.plan.doors)  # else nobody is shut in by furniture
         ways = set[int]().union(
@@ -178,7 +186,7 @@ class Ways:
         )
         return (
             [not near & main for near in at_doors],
-            [exits and not self._beside(parts, self._at_place(place)) & ways for place in self.plan.places],
+            [exits and not self._beside(parts, near) & ways for near in self._cells_at_places],
         )
 
 
@@ -272,19 +280,19 @@ def _speed_within(track: Track, place: PersonPlace, touching: Touching) -> float
     return max(touching.closing, fastest / track.dt)
 
 
-class Watcher:
+class RoomEventDetector:
     """Looks at what happens in runs of a room: who is hit, which doors are blocked, who is shut in.
 
     What a piece does to a place, and equal floors, are looked at once.
     """
 
     def __init__(self) -> None:
-        self._ways: dict[str, Ways] = {}
+        self._grids: dict[str, WalkableGrid] = {}
         self._ends: dict[tuple[str, bytes], tuple[list[bool], list[bool]]] = {}
         self._covered: dict[int, tuple[Track, NDArray[np.bool_]]] = {}
         self._contacts: dict[tuple[int, PersonPlace], tuple[Track, RoomContact | None]] = {}
 
-    def __call__(self, plan: FloorPlan, tracks: Sequence[Track]) -> Seen:
+    def __call__(self, plan: FloorPlan, tracks: Sequence[Track]) -> RoomEvents:
         """Return what happened in a run, where the pieces had these tracks."""
         hits = np.full((len(plan.places), len(tracks), len(RoomContact._fields)), np.nan)
         for at, place in enumerate(plan.places):
@@ -295,30 +303,30 @@ class Watcher:
                 if contact is not None:
                     hits[at, body] = contact
         blocked, shut_in = self.ends(plan, tracks)
-        return Seen(hits, np.array(blocked, np.bool_), np.array(shut_in, np.bool_))
+        return RoomEvents(hits, np.array(blocked, np.bool_), np.array(shut_in, np.bool_))
 
     def ends(self, plan: FloorPlan, tracks: Sequence[Track]) -> tuple[list[bool], list[bool]]:
         """Return which doors are blocked and who is shut in where the pieces of a run come to lie."""
-        name, ways = self.ways(plan)
-        covered = np.zeros((len(ways.x), len(ways.y)), np.bool_)
+        name, grid = self.grid(plan)
+        covered = np.zeros((len(grid.x), len(grid.y)), np.bool_)
         for track in tracks:
-            covered |= self.covered_by(ways, track)
+            covered |= self.covered_by(grid, track)
         key = name, np.packbits(covered).tobytes()
         if key not in self._ends:
-            self._ends[key] = ways.shut_in(covered)
+            self._ends[key] = grid.shut_in(covered)
         return self._ends[key]
 
-    def ways(self, plan: FloorPlan) -> tuple[str, Ways]:
+    def grid(self, plan: FloorPlan) -> tuple[str, WalkableGrid]:
         """Return the floor of a room, and what it is known by."""
         name = repr(plan)
-        if name not in self._ways:
-            self._ways[name] = Ways(plan)
-        return name, self._ways[name]
+        if name not in self._grids:
+            self._grids[name] = WalkableGrid(plan)
+        return name, self._grids[name]
 
-    def covered_by(self, ways: Ways, track: Track) -> NDArray[np.bool_]:
+    def covered_by(self, grid: WalkableGrid, track: Track) -> NDArray[np.bool_]:
         """Return which cells of the floor a piece covers at the end of a run, shape (nx, ny)."""
         if id(track) not in self._covered:  # the track is kept with it, so that the id stays its own
-            self._covered[id(track)] = track, ways.covered([track.outline(len(track.sample) - 1)])
+            self._covered[id(track)] = track, grid.covered([track.outline(len(track.sample) - 1)])
         return self._covered[id(track)][1]
 
 
@@ -329,7 +337,7 @@ class Zones(NamedTuple):
     ----------
     fell, stood : ndarray, shape (nx, ny)
         Shares of the runs in which it ends on each cell of the floor having overturned, and without; see
-        `Ways`.
+        `WalkableGrid`.
     outline : ndarray, shape (n, 2)
         Its outline in plan as it stands [m].
     """
@@ -339,17 +347,19 @@ class Zones(NamedTuple):
     outline: NDArray[np.float64]
 
 
-def zones_of(runs: Runs, pieces: Sequence[Piece], watcher: Watcher, plan: FloorPlan) -> list[Zones | None]:
+def zones_of(
+    runs: Runs, pieces: Sequence[Piece], detector: RoomEventDetector, plan: FloorPlan
+) -> list[Zones | None]:
     """Return where each piece ends in runs; None where its tracks were not kept."""
     if not runs.tracks.size:
         return [None] * len(pieces)
-    _, ways = watcher.ways(plan)
+    _, grid = detector.grid(plan)
     zones: list[Zones | None] = []
     for body, piece in enumerate(pieces):
-        fell = (runs.results[..., body]["outcome"] == OVERTURNED_OUTCOME).ravel()
-        counts = np.zeros((2, len(ways.x), len(ways.y)))
-        for track, overturned in zip(runs.tracks[..., body].ravel(), fell.tolist(), strict=True):
-            counts[0 if overturned else 1] += watcher.covered_by(ways, track)
+        fell = runs.results[:, body]["outcome"] == OVERTURNED_OUTCOME
+        counts = np.zeros((2, len(grid.x), len(grid.y)))
+        for track, overturned in zip(runs.tracks[:, body], fell.tolist(), strict=True):
+            counts[0 if overturned else 1] += detector.covered_by(grid, track)
         zones.append(Zones(counts[0] / len(fell), counts[1] / len(fell), at_rest(piece).outline(0)))
     return zones
 
@@ -377,7 +387,7 @@ def happens_in(run: Run) -> RunInRoom:
     plan = run.plan
     assert plan is not None
     tracks = groups.tracks_of(run.standing, run, run.motion.dt)
-    seen = Watcher()(plan, tracks)
+    seen = RoomEventDetector()(plan, tracks)
     return RunInRoom(
         tuple(
             (name, place.name)

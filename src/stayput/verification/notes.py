@@ -22,6 +22,7 @@ from stayput.motion.floors import floor_phrase
 from stayput.standards.ac156 import ac156
 from stayput.standards.asce43 import FRICTION_RANGE, VERTICAL_SHARE, asce43_sliding
 from stayput.standards.equipment import EquipmentLoad, equipment_loads, position_of
+from stayput.verification.meetings import notes_of_rooms
 from stayput.verification.options import furniture_tag, grade, weakest
 from stayput.verification.words import length, slides_off, title
 from stayput.wording import FAR, joined
@@ -183,6 +184,7 @@ def shaken_notes(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
     if verdict.floor:
         yield phrase("verification.of_a_floor", floor=floor_phrase(verdict.floor))
     if not verdict.scenario.alone:
+        yield from notes_of_rooms(verdict)
         if verdict.scenario.plan is None:
             yield _grade(graded, verdict)
         return
@@ -325,7 +327,7 @@ def everyday_note(verdict: Verdict) -> Phrase:
 
 def _contents(verdict: Verdict) -> Iterator[Phrase]:
     contents, inside = verdict.without.contents, verdict.scenario.contents
-    if contents is None or contents.rigid.runs == 0:
+    if contents is None or contents.emptied is None or contents.rigid.runs == 0:
         return
     if inside is not None and "latched" in inside.doors:
         yield phrase("verification.latches_hold")

@@ -14,13 +14,13 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from stayput.fragility.paired import Difference, difference
-from stayput.fragility.probabilities import Probability, probability
 from stayput.mechanics.columns import OVERTURNED_OUTCOME
 from stayput.montecarlo.counting import RANKING_RESOLUTION, Member, Quantiles
 from stayput.montecarlo.scenes import ENERGY, FALLS, SPEED
 
 if TYPE_CHECKING:
+    from stayput.fragility.paired import Difference
+    from stayput.fragility.probabilities import Probability
     from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
     from stayput.montecarlo.runs import Runs
 
@@ -132,7 +132,7 @@ class DoorVerdict:
     at_rest: bool
 
 
-class Outlook(NamedTuple):
+class PairedEstimate(NamedTuple):
     """How often something happens, and that less how often without the option; None of that itself."""
 
     chance: Probability
@@ -145,9 +145,9 @@ class People:
 
     Parameters
     ----------
-    crushed, hit, touched : Outlook
+    crushed, hit, touched : PairedEstimate
         That anybody who is there is crushed, is hit, is touched; see `PlaceVerdict`.
-    shut_in, blocked : Outlook
+    shut_in, blocked : PairedEstimate
         That anybody is shut in; that any door is blocked.
     risk : float
         Chance that a person is hit, weighted by how long somebody is at each place.
@@ -159,11 +159,11 @@ class People:
         In the order of the file.
     """
 
-    crushed: Outlook
-    hit: Outlook
-    touched: Outlook
-    shut_in: Outlook
-    blocked: Outlook
+    crushed: PairedEstimate
+    hit: PairedEstimate
+    touched: PairedEstimate
+    shut_in: PairedEstimate
+    blocked: PairedEstimate
     risk: float
     harm: float
     places: tuple[PlaceVerdict, ...]
@@ -188,30 +188,30 @@ def presence(place: PersonPlace) -> float:
 
 
 def contacts_in(runs: Runs) -> NDArray[np.bool_]:
-    """Return which places which pieces come to, shape (motions, samples, places, pieces)."""
+    """Return which places which pieces come to, shape (runs, places, pieces)."""
     return ~np.isnan(runs.hits[..., 0])
 
 
 def hits_in(runs: Runs) -> NDArray[np.bool_]:
-    """Return which places are hit by which falling pieces, shape (motions, samples, places, pieces)."""
+    """Return which places are hit by which falling pieces, shape (runs, places, pieces)."""
     fell: NDArray[np.bool_] = runs.results["outcome"] == OVERTURNED_OUTCOME
-    return (runs.hits[..., FALLS] == 1.0) & fell[:, :, np.newaxis]
+    return (runs.hits[..., FALLS] == 1.0) & fell[:, np.newaxis]
 
 
 def events_at_places(runs: Runs) -> dict[str, NDArray[np.bool_]]:
-    """Return where somebody is crushed, hit and touched by any piece, each (motions, samples, places)."""
+    """Return where somebody is crushed, hit and touched by any piece, each (runs, places)."""
     hit = hits_in(runs)
     return {
         "crushed": np.greater_equal(hardest(runs), CRUSHING_ENERGY),
-        "hit": np.any(hit, axis=3),
-        "touched": np.any(contacts_in(runs) & ~hit, axis=3),
+        "hit": np.any(hit, axis=2),
+        "touched": np.any(contacts_in(runs) & ~hit, axis=2),
     }
 
 
 def events_of(runs: Runs) -> dict[str, NDArray[np.bool_]]:
-    """Return whether it happens to anybody, and to any door: each of shape (motions, samples)."""
+    """Return whether it happens to anybody, and to any door: each of shape (runs,)."""
     ways = {"shut_in": runs.shut_in, "blocked": runs.blocked}
-    return {name: np.any(flags, axis=2) for name, flags in (events_at_places(runs) | ways).items()}
+    return {name: np.any(flags, axis=1) for name, flags in (events_at_places(runs) | ways).items()}
 
 
 def risk_of(hit: NDArray[np.bool_], places: Sequence[PersonPlace], missing: NDArray[np.bool_]) -> float:
@@ -219,11 +219,11 @@ def risk_of(hit: NDArray[np.bool_], places: Sequence[PersonPlace], missing: NDAr
 
     Parameters
     ----------
-    hit : ndarray of bool, shape (motions, samples, places)
+    hit : ndarray of bool, shape (runs, places)
         Which places are hit.
     places : sequence of PersonPlace
         The places.
-    missing : ndarray of bool, shape (motions, samples)
+    missing : ndarray of bool, shape (runs,)
         Which runs were given up.
     """
     present = np.array([presence(place) for place in places])
@@ -236,7 +236,7 @@ def harm_of(energy: NDArray[np.float64], places: Sequence[PersonPlace], missing:
 
     Parameters
     ----------
-    energy : ndarray, shape (motions, samples, places)
+    energy : ndarray, shape (runs, places)
         Of what hits each place hardest, 0 where nothing does [J].
     places, missing
         As for `risk_of`.
@@ -273,42 +273,44 @@ def people_of(
     at_rest : tuple of sequence of bool
         Which doors are blocked and who is shut in as the furniture stands.
     """
-    at_places, then, missing = events_at_places(runs), events_of(runs), runs.missing
+    at_places, happened = events_at_places(runs), events_of(runs)
     changes: dict[str, Difference] = {}
     if bare is not None:
-        now, both = events_of(bare), missing | bare.missing
-        changes = {name: difference(flags, now[name], both) for name, flags in then.items()}
-    outlooks = {name: Outlook(probability(flags, missing), changes.get(name)) for name, flags in then.items()}
+        then = events_of(bare)
+        changes = {name: runs.difference(flags, bare, then[name]) for name, flags in happened.items()}
+    estimates = {
+        name: PairedEstimate(runs.probability(flags), changes.get(name)) for name, flags in happened.items()
+    }
     places = tuple(
         PlaceVerdict(
             place=place,
-            **{name: probability(flags[:, :, n], missing) for name, flags in at_places.items()},
+            **{name: runs.probability(flags[:, n]) for name, flags in at_places.items()},
             by=_by(runs, n, pieces),
-            shut_in=probability(runs.shut_in[:, :, n], missing),
+            shut_in=runs.probability(runs.shut_in[:, n]),
             shut_in_at_rest=bool(at_rest[1][n]),
         )
         for n, place in enumerate(plan.places)
     )
     doors = tuple(
-        DoorVerdict(door, probability(runs.blocked[:, :, n], missing), bool(at_rest[0][n]))
+        DoorVerdict(door, runs.probability(runs.blocked[:, n]), bool(at_rest[0][n]))
         for n, door in enumerate(plan.doors)
     )
-    risk = risk_of(at_places["hit"], plan.places, missing)
-    harm = harm_of(hardest(runs), plan.places, missing)
-    return People(**outlooks, risk=risk, harm=harm, places=places, doors=doors)
+    risk = risk_of(at_places["hit"], plan.places, runs.missing)
+    harm = harm_of(hardest(runs), plan.places, runs.missing)
+    return People(**estimates, risk=risk, harm=harm, places=places, doors=doors)
 
 
 def _by(runs: Runs, place: int, pieces: Sequence[tuple[str, float]]) -> tuple[HitVerdict, ...]:
     hits, contacts, verdicts = hits_in(runs), contacts_in(runs), list[HitVerdict]()
     for body, (name, mass) in enumerate(pieces):
         for by_falling, all_of_them in ((True, hits), (False, contacts & ~hits)):
-            chosen = all_of_them[:, :, place, body]
+            chosen = all_of_them[:, place, body]
             if not chosen.any():
                 continue
-            those = runs.hits[:, :, place, body][chosen]
+            those = runs.hits[:, place, body][chosen]
             overturned = np.zeros(len(those), np.bool_)  # what falls too counts by how it hits
             speed, energy = (Quantiles.of(those[:, n], overturned) for n in (SPEED, ENERGY))
-            chance = probability(chosen, runs.missing)
+            chance = runs.probability(chosen)
             verdicts.append(HitVerdict(name, mass, chance, speed, energy, by_falling))
     return tuple(sorted(verdicts, key=lambda hit: (not hit.by_falling, -hit.harm)))
 
@@ -321,15 +323,15 @@ def typical_of(*each: Runs) -> Member:
     """
     flags: list[NDArray[np.bool_]] = []
     for runs in each:
-        hits = hits_in(runs).reshape(*runs.missing.shape, -1)
+        hits = hits_in(runs).reshape(len(runs.members), -1)
         flags += [runs.results["outcome"] == OVERTURNED_OUTCOME, hits, runs.blocked, runs.shut_in]
-    happens, missing = np.concatenate(flags, axis=2), np.any([runs.missing for runs in each], axis=0)
+    happens, missing = np.concatenate(flags, axis=1), np.any([runs.missing for runs in each], axis=0)
     if missing.all():
         return Member(0, 0)
     share = happens[~missing].mean(axis=0)
     otherwise: NDArray[np.float64] = share + happens * (1.0 - 2.0 * share)
-    far: NDArray[np.float64] = otherwise.sum(axis=2)
+    far: NDArray[np.float64] = otherwise.sum(axis=1)
     far[missing] = np.inf
-    alike = np.flatnonzero(far.ravel() <= far.min() + 1e-9)
-    in_order = alike[np.argsort(each[0].tilt.ravel()[alike], kind="stable")]
-    return Member(*divmod(int(in_order[(len(in_order) - 1) // 2]), far.shape[1]))
+    alike = np.flatnonzero(far <= far.min() + 1e-9)
+    in_order = alike[np.argsort(each[0].tilt[alike], kind="stable")]
+    return each[0].members[int(in_order[(len(in_order) - 1) // 2])]

@@ -8,15 +8,16 @@ events that differ clearly, the gravest first.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import partial
 from typing import TYPE_CHECKING
 
-from stayput.fragility.paired import difference
 from stayput.montecarlo.counting import severity
 from stayput.verification.contents import less_out
 from stayput.verification.people import DECIDING_EVENTS, events_of
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from stayput.fragility.paired import Difference
     from stayput.montecarlo.runs import Runs
     from stayput.verification.verdict import OptionVerdict
@@ -54,7 +55,10 @@ def ranks_of(verdicts: Sequence[OptionVerdict], outcomes: Sequence[Runs], limit:
 
     def changes(first: int, second: int) -> Iterator[Difference]:
         now, then = outcomes[first], outcomes[second]
-        change = partial(difference, missing=now.missing | then.missing, comparisons=others)
+
+        def change(happened: NDArray[np.bool_], before: NDArray[np.bool_]) -> Difference:
+            return now.difference(happened, then, before, others)
+
         if verdicts[first].people is not None:
             events = events_of(now), events_of(then)
             yield from (change(*(each[name] for each in events)) for name in DECIDING_EVENTS)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, shown
 from stayput.montecarlo.counting import OVERTURNED, SLID, Member, Quantiles
 from stayput.saved import InJson
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.axes import Axes
 
-    from stayput.catalogue import Phrase
     from stayput.fragility.curve import Capacity, FragilityCurve
     from stayput.fragility.intensity_measures import IntensityMeasure
     from stayput.fragility.paired import Difference
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from stayput.verification.changes import Change
     from stayput.verification.contents import ContentsVerdict
     from stayput.verification.events import Zones
+    from stayput.verification.meetings import Meeting
     from stayput.verification.notes import Estimates
     from stayput.verification.options import Impossible
     from stayput.verification.people import People
@@ -52,8 +53,7 @@ class DeviceSummary:
     failure_time : float
         Median time of failure of those runs [s]; nan where it never failed.
     peak : Quantiles
-        Largest force that it bore, of pull or push and shear together [N]: until it failed, if it did. What
-        was asked of it is that of the same device which cannot fail: `stayput.measures.Measure.unbreakable`.
+        Largest force that it bore, of pull or push and shear together [N]: until it failed, if it did.
     used : Quantiles
         Largest force over strength: below 1 there was a margin, where it failed it is at least 1; 0 for a
         device without a strength to reach.
@@ -61,6 +61,8 @@ class DeviceSummary:
         What gave way in most of the runs in which it failed, or would first; none where nothing can.
     pieces : tuple of str
         The piece that it holds; of a joint the two that it joins.
+    demand : Quantiles, optional
+        Largest force on it if it cannot fail, over its strength; see `stayput.verification.demand`.
     """
 
     kind: str
@@ -71,6 +73,7 @@ class DeviceSummary:
     used: Quantiles
     weakest: Phrase | None = None
     pieces: tuple[str, ...] = ()
+    demand: Quantiles | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,6 +146,8 @@ class OptionVerdict:
         What is in place.
     rank : int
         1 for the best; options whose differences are unclear share a rank, as in 1, 1, 3.
+    runs : int
+        How many runs there are of it.
     probabilities : mapping of str to Probability
         Of each of `EVENTS` for any of the pieces that count (`Scenario.counted`), at the scenario's shaking.
     change : Difference, optional
@@ -171,6 +176,7 @@ class OptionVerdict:
 
     option: Option
     rank: int
+    runs: int
     probabilities: Mapping[str, Probability]
     change: Difference | None
     slide: Quantiles
@@ -258,8 +264,8 @@ class Verdict(InJson):
     options : tuple of OptionVerdict
         The best first; exactly one of them has nothing in place, or is the scene as stated: it stands before
         those that do not clearly differ from it.
-    motions, samples : int
-        Motions, and Monte Carlo samples of each.
+    motions : int
+        Motions.
     runs : int
         Simulations that were made.
     seed : int
@@ -267,11 +273,9 @@ class Verdict(InJson):
     seconds : float
         How long it took.
     estimates : Estimates, optional
-        Quick estimates by formulas, to stand beside those of a lone piece.
+        Quick estimates by formulas, to stand beside those of a lone piece; none before it is complete.
     levels : ndarray, shape (levels,)
-        JMA intensities of the fragility curves.
-    settled : int
-        Runs of the fragility curves that were not made: stronger shaking left the piece far from falling.
+        JMA intensities at which all options ran for the curves.
     precise : bool
         Whether the asked precision was reached.
     impossible : tuple of Impossible
@@ -280,6 +284,10 @@ class Verdict(InJson):
         Whether it is final; else more samples or the curves are still to come.
     floor : str
         The upper floors that the motions were stated for; "" where they are of the ground.
+    kinds : tuple of int
+        Of each piece the number of its kind: pieces of one body share their runs.
+    meetings : tuple of Meeting
+        Pieces that run by themselves and come together, as the scene is stated.
 
     Examples
     --------
@@ -293,8 +301,8 @@ class Verdict(InJson):
     ... )
     >>> verdict.best.option.name, verdict.best.probabilities["overturned"].estimate
     ('l_bracket', 0.0)
-    >>> verdict.motions, verdict.samples  # of each motion: 8 in all
-    (4, 2)
+    >>> verdict.motions, verdict.best.runs  # two draws under each motion
+    (4, 8)
     >>> [option.option.name for option in verdict], float(verdict["l_bracket"].probabilities["overturned"])
     (['l_bracket', 'none'], 0.0)
     """
@@ -304,26 +312,32 @@ class Verdict(InJson):
     slide_limit: float
     options: tuple[OptionVerdict, ...]
     motions: int
-    samples: int
     runs: int
     seed: int
     seconds: float
     estimates: Estimates | None = None
     levels: NDArray[np.float64] = field(default_factory=lambda: np.empty(0))
-    settled: int = 0
     precise: bool = False
     impossible: tuple[Impossible, ...] = ()
     complete: bool = True
     floor: str = ""
+    kinds: tuple[int, ...] = ()
+    meetings: tuple[Meeting, ...] = ()
 
     def __repr__(self) -> str:
         ranked = ", ".join(
             f"{option.option.name} {option.probabilities[OVERTURNED].text}" for option in self.options[:3]
         )
         more = f", and {len(self.options) - 3} more" if len(self.options) > 3 else ""
-        made = f"{self.motions} × {self.samples} runs each"
+        made = f"{self.runs_each[0]} runs each under {self.motions} motions"
         draft = "" if self.complete else "; not complete"
         return f"Verdict(JMA {self.intensity:.2f}; overturned: {ranked}{more}; {made}{draft})"
+
+    @property
+    def runs_each(self) -> Phrase:
+        """How many runs there are of each option, in both languages: "40", "16 to 43"."""
+        least, most = (pick(option.runs for option in self.options) for pick in (min, max))
+        return phrase("fragility.ends", low=least, high=most) if least < most else (f"{least}", f"{least}")
 
     def __iter__(self) -> Iterator[OptionVerdict]:
         return iter(self.options)

@@ -25,15 +25,9 @@ const MARKS = [
   (a, b) => `M${a} ${b - 5}l5 9h-10z`,
 ];
 
-/** Draws the curves of no measure, of those in place, and of the best; offers "ask" where there are none. */
-export function show(verdict, ask) {
-  const chosen = [...new Set([without(verdict), yours(verdict), verdict.options[0]])].filter(
-    (one) => one?.curve,
-  );
-  if (!chosen.length) {
-    const button = el("button", { type: "button", id: "ask-curves", text: t("askCurves"), onclick: ask });
-    return fill(part("fragility"), el("p", { class: "hint", text: t("curvesInSpace") }), button);
-  }
+/** Draws the curves of no measure, of those in place, and of the best. */
+export function show(verdict) {
+  const chosen = [...new Set([without(verdict), yours(verdict), verdict.options[0]])].filter(Boolean);
   W = widthFor(part("fragility"));
   const known = verdict.jma_intensity !== null,
     here = Math.min(HIGH, Math.max(LOW, verdict.jma_intensity ?? LOW));
@@ -84,19 +78,13 @@ const hereText = (at) =>
     text: t("here"),
   });
 
-/** An intensity with the range that it surely lies in; only bounds where the simulations do not reach it. */
-function capacity({ jma_intensity: estimate, low, high, above, below, one_motion: alone }) {
-  const digits = (value) => number(value, 2);
-  if (estimate === null) {
-    if (above !== null && below !== null)
-      return t("within", { low: digits(above), high: digits(below) });
-    if (above !== null) return t("above", { at: digits(above) });
-    return below !== null ? t("below", { at: digits(below) }) : t("unknown");
-  }
-  if (alone) return t("alone", { at: digits(estimate) });
-  return low !== null && high !== null
-    ? t("between", { at: digits(estimate), low: digits(low), high: digits(high) })
-    : digits(estimate);
+/** An intensity with its interval, as far as both lie on the curve. */
+function capacity({ jma_intensity: estimate, low, high }) {
+  const [at, from, to] = [estimate, low, high].map((value) => value !== null && number(value, 2));
+  if (at && from && to) return t("between", { at, low: from, high: to });
+  if (at) return at;
+  if (from) return t("above", { at: from });
+  return to ? t("below", { at: to }) : t("unknown");
 }
 
 function classes() {
@@ -136,7 +124,6 @@ function grid() {
 }
 
 function band({ curve: { intensity, low, high } }, i) {
-  if (!low || !high) return svg("g");
   return svg("path", {
     class: `band c${i}`,
     d: `${path(intensity, high)}${path([...intensity].reverse(), [...low].reverse()).replace("M", "L")}Z`,
@@ -144,7 +131,7 @@ function band({ curve: { intensity, low, high } }, i) {
 }
 
 function curve({ curve: { intensity, probability, observed } }, i) {
-  const dots = (observed ?? [])
+  const dots = observed
     .filter((one) => one.estimate !== null && one.im >= LOW && one.im <= HIGH)
     .map((one) =>
       svg(
@@ -156,7 +143,7 @@ function curve({ curve: { intensity, probability, observed } }, i) {
   return svg(
     "g",
     {},
-    probability ? svg("path", { class: `curve c${i}`, d: path(intensity, probability) }) : null,
+    svg("path", { class: `curve c${i}`, d: path(intensity, probability) }),
     ...dots,
   );
 }

@@ -4,7 +4,7 @@ import * as api from "./api.js";
 import { copying, fill, offer, part } from "./dom.js";
 import { SECONDS, isDrawn, linkTo, pressed, shortKind, showLink, wireFilm } from "./films.js";
 import * as pieces from "./pieces.js";
-import { FURTHER, current, sampled } from "./scene.js";
+import { FURTHER, current, precisely } from "./scene.js";
 import { t } from "./words.js";
 
 let held = false, // whether there is a run with measures
@@ -26,9 +26,9 @@ export function films(kinds) {
   }
 }
 
-/** The scene and its measures with the accuracy that is chosen, on which the chances rest. */
+/** The scene and its measures with the precision that is chosen, on which the chances rest. */
 const complete = ({ scene, measures }) => ({
-  scene: Array.isArray(scene.furniture) ? scene : sampled(scene, Number(part("samples").value)),
+  scene: Array.isArray(scene.furniture) ? scene : precisely(scene, Number(part("precision").value)),
   measures,
 });
 

@@ -190,5 +190,6 @@ export function forServer(s) {
   return read;
 }
 
-/** The same with so many samples of each set of measures, as a verification asks for it. */
-export const sampled = (read, samples) => ({ ...read, uncertainty: { ...read.uncertainty, samples } });
+/** The same as a verification asks for it: to within a half-width of chances, or the server's usual one for 0. */
+export const precisely = (read, precision) =>
+  precision ? { ...read, uncertainty: { ...read.uncertainty, precision } } : read;

@@ -2,7 +2,7 @@
 
 import * as api from "./api.js";
 import { patiently } from "./connection.js";
-import { el, fill, part, settled } from "./dom.js";
+import { fill, part, settled } from "./dom.js";
 import * as estimates from "./estimates.js";
 import * as everyday from "./everyday.js";
 import * as fragility from "./fragility.js";
@@ -10,7 +10,7 @@ import * as keep from "./keep.js";
 import * as ranking from "./ranking.js";
 import { recalled, remember } from "./memory.js";
 import { worded } from "./refusals.js";
-import { change, sampled } from "./scene.js";
+import { change, precisely } from "./scene.js";
 import { line } from "./verification.js";
 import * as verdict from "./verdict.js";
 import { number, perCent, t } from "./words.js";
@@ -19,10 +19,8 @@ const SETTLED = 900,
   SOON = 150,
   MARGINS = ["everyday", "everyday-cases"],
   PARTS = [...MARGINS, "estimates", "ranking"];
-const jobs = line(),
-  curving = line();
+const jobs = line();
 let question = null,
-  curved = null, // a verdict with curves, where they were asked for by themselves
   problem = null,
   result = null, // the verdict that is shown: its headline and its ranking are of the same runs
   asking = null,
@@ -36,17 +34,17 @@ export function build(request) {
     state("cancelled");
   });
   part("verify").addEventListener("click", () => work());
-  part("samples").value = recalled("care") ?? part("samples").value;
-  if (!part("samples").value) part("samples").value = "120";
-  part("samples").addEventListener("change", () => {
-    remember("care", part("samples").value);
+  part("precision").value = recalled("care") ?? "";
+  if (part("precision").selectedIndex < 0) part("precision").value = ""; // of another version of this page
+  part("precision").addEventListener("change", () => {
+    remember("care", part("precision").value);
     work();
   });
   addEventListener("pageshow", (event) => {
     if (event.persisted) soon(); // its jobs ended when it was left
   });
   const charts = settled(120, () => {
-    if (result?.complete) showCurves();
+    if (result?.complete) fragility.show(result);
   });
   for (const name of ["resize", "shown"]) addEventListener(name, charts);
 }
@@ -95,10 +93,7 @@ const soon = settled(SETTLED, () => work());
 function stop() {
   round += 1;
   jobs.stop();
-  curving.stop();
 }
-
-const samples = () => Number(part("samples").value);
 
 /** Asks for the verdict; what is known of it is shown as it gets better. */
 async function work() {
@@ -109,7 +104,7 @@ async function work() {
     state("pieces");
     return;
   }
-  const content = { scene: sampled(scene, samples()), measures, curves: scene.dimensions === 2 };
+  const content = { scene: precisely(scene, Number(part("precision").value)), measures, curves: true };
   state("running");
   progress(0);
   try {
@@ -118,7 +113,6 @@ async function work() {
       if (running.result && mine === round) look(running.result);
     });
     if (!job || mine !== round) return;
-    curved = null;
     part("understand").dataset.job = job.id;
     state("done");
     keep.point(job.id);
@@ -135,29 +129,17 @@ function look(known) {
   result = known;
   part("understand").dataset.old = "false";
   date(PARTS, false);
-  date(["fragility"], !known.complete);
+  date(["estimates", "fragility"], !known.complete);
   part("ranking-rough").hidden = known.complete;
-  part("ranking-rough").textContent = t("rankingRough", { runs: number(known.motions * known.samples) });
+  part("ranking-rough").textContent = t("rankingRough", { runs: eachRan(known) });
   display();
 }
 
-const showCurves = () => fragility.show(curved ?? result, askCurves);
-
-/** Works out the curves of what is looked at, which a verification in space leaves out. */
-async function askCurves() {
-  const mine = round,
-    { scene, measures } = question(),
-    content = { scene: sampled(scene, samples()), measures, compare_usual: false };
-  const bar = el("progress", { max: 1, value: 0, "aria-label": t("progress") });
-  fill(part("fragility"), el("p", { class: "hint", role: "status", text: t("thinking") }), bar);
-  try {
-    const job = await curving.run(content, (running) => (bar.value = running.progress));
-    if (!job || mine !== round) return;
-    curved = { ...job.result, job: job.id };
-    showCurves();
-  } catch (error) {
-    if (mine === round) fill(part("fragility"), worded(error));
-  }
+/** The fewest and the most runs that an option has had. */
+function eachRan({ options }) {
+  const runs = options.map((one) => one.runs),
+    [low, high] = [Math.min(...runs), Math.max(...runs)].map((count) => number(count));
+  return low === high ? low : t("shareBetween", { low, high });
 }
 
 const takeMeasures = (chosen) =>
@@ -166,9 +148,10 @@ const takeMeasures = (chosen) =>
 function display() {
   verdict.show(result);
   everyday.show(result);
-  estimates.show(result);
   ranking.show(result, takeMeasures);
-  if (result.complete) showCurves();
+  if (!result.complete) return;
+  estimates.show(result);
+  fragility.show(result);
 }
 
 /** Writes the words again, for another language. */

@@ -38,7 +38,7 @@ export function show(verdict) {
     ...verdict.notes.map((note) => el("li", { class: "hint", text: both(note) })),
   );
   part("basis").textContent = t(single ? "basisOfRecord" : "basis", {
-    motions: number(verdict.motions),
+    motions: number(Math.min(verdict.motions, Math.max(...verdict.options.map((one) => one.runs)))),
     runs: number(verdict.runs),
     seconds: number(verdict.seconds, 1),
   });

@@ -21,15 +21,11 @@ export const quantile = ({ median, p90 }, unit, decimals) =>
         most: p90 === null ? t("notKnown") : `${number(p90, decimals)}\u00a0${unit}`,
       });
 
-/** How many runs of the room a verdict rests on. */
-export const wholeRuns = ({ motions, samples }) => number(motions * samples);
-
 /** What a verdict rests on: runs under many earthquakes, or under a single record or other motion. */
-export const basis = ({ motions, samples, runs, seed, seconds }) =>
+export const basis = ({ motions, whole, runs, seed, seconds }) =>
   t(motions === 1 ? "basisOfOneMotion" : "basisOfRoom", {
-    whole: wholeRuns({ motions, samples }),
-    motions: number(motions),
-    each: number(samples),
+    whole: number(whole),
+    motions: number(Math.min(motions, whole)),
     runs: number(runs),
     seed: String(seed),
     seconds: number(seconds, 1),

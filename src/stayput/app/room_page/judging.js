@@ -7,7 +7,7 @@ import { line } from "../verification.js";
 import * as room from "./room.js";
 import { roomBefore } from "./tried.js";
 
-/** A verdict as this page reads it: what happens in the room as it is, and with each of the other options. */
+/** A verdict as this page reads it: what happens in the room as it is in "whole" runs, and with each other option. */
 export function ofRoom(reply) {
   const bare = reply.options.find((one) => one.overturned_change === null),
     pieces = [...bare.pieces].sort((a, b) => b.harm_J - a.harm_J || falls(b) - falls(a));
@@ -15,6 +15,7 @@ export function ofRoom(reply) {
     ...reply,
     ...bare.people,
     pieces,
+    whole: bare.runs,
     typical: { member: bare.typical.motion + 1, sample: bare.typical.sample },
     changes: reply.options.filter((one) => one !== bare).map(changeOf),
   };

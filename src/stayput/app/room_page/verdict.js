@@ -5,38 +5,45 @@ import { el, fill, part } from "../dom.js";
 import { worded } from "../refusals.js";
 import { both, number, perCent, share, t } from "../words.js";
 import { mayBe } from "./action_plan.js";
-import { basis, wholeRuns } from "./amounts.js";
+import { basis } from "./amounts.js";
 import { apply } from "./changes.js";
 import { fallingAlone } from "./findings.js";
 import * as room from "./room.js";
 
 const ENDED = ["done", "cancelled", "refused", "empty"],
   BETWEEN = " · ";
-const SAMPLES = { quick: 20, usual: 60, fine: 200 };
+const CARE = { quick: "0.25", usual: "", fine: "0.08" }, // half-widths of chances; the server has a usual one
+  OWN = "own";
 
-const samples = () => room.current().uncertainty?.samples ?? SAMPLES.usual;
+/** How precise the verdict is to be; "own" where the room states what is none of the choices. */
+function precision() {
+  const { samples, precision: stated = "" } = room.current().uncertainty ?? {};
+  return samples === undefined && Object.values(CARE).includes(String(stated)) ? String(stated) : OWN;
+}
 
-/** Wires the choice of how many runs the verdict is of, a part of the room's scenario. */
+/** Wires the choice of how precise the verdict is to be, a part of the room's scenario. */
 export function wire() {
-  part("samples").addEventListener("change", ({ target }) => {
-    const before = room.current();
-    room.change({ ...before, uncertainty: { ...before.uncertainty, samples: Number(target.value) } });
+  part("precision").addEventListener("change", ({ target }) => {
+    const before = room.current(),
+      { samples, precision: _, ...others } = before.uncertainty ?? {},
+      chosen = target.value ? { precision: Number(target.value) } : {};
+    if (target.value !== OWN) room.change({ ...before, uncertainty: { ...others, ...chosen } });
   });
 }
 
-/** Builds the choice of how many runs the verdict is of; called again for another language. */
+/** Builds the choice of how precise the verdict is to be; called again for another language. */
 export function build() {
-  const usual = Object.entries(SAMPLES).map(([name, value]) => option(value, t(`care_${name}`))),
-    own = Object.values(SAMPLES).includes(samples()) ? [] : [option(samples(), t("careOwn", { n: number(samples()) }))];
-  fill(part("samples"), usual, own);
-  part("samples").value = String(samples());
+  const usual = Object.entries(CARE).map(([name, value]) => option(value, t(`care_${name}`))),
+    chosen = precision();
+  fill(part("precision"), usual, chosen === OWN ? [option(OWN, t("careOwn"))] : []);
+  part("precision").value = chosen;
 }
 
-const option = (value, text) => el("option", { value: String(value), text });
+const option = (value, text) => el("option", { value, text });
 
-/** Shows how many runs the room asks for. */
+/** Shows how precise a verdict the room asks for. */
 export function update() {
-  if (part("samples").value !== String(samples())) build();
+  if (part("precision").value !== precision()) build();
 }
 
 /** Writes the state of the question, and the newest result as far as there is one. */
@@ -49,8 +56,8 @@ export function show({ name, job, result, old, error }) {
   if (job?.state === "done") here.dataset.job = job.id;
   else delete here.dataset.job;
   write(error ? worded(error) : result ? [both(result.verdict)] : []);
-  part("rough").hidden = !result || old || result.complete || !isRough(result);
-  part("rough").textContent = result ? t("rough", { runs: wholeRuns(result) }) : "";
+  part("rough").hidden = !result || old || !isRough(result);
+  part("rough").textContent = result ? t("rough", { runs: number(result.whole) }) : "";
   falls(error ? null : result);
   best(old || error ? null : result);
   part("basis").textContent = result ? basis(result) : "";
@@ -58,8 +65,8 @@ export function show({ name, job, result, old, error }) {
   brief(name, result, old);
 }
 
-/** Whether a result is of fewer runs of the room than are asked for. */
-const isRough = ({ motions, samples: each }) => motions * each < samples();
+/** Whether a result is of the room alone, which still runs; then changes of it run beside it. */
+const isRough = ({ complete, options }) => !complete && options.length === 1;
 
 /** Says it in one line beside the steps, for where the verdict is on another screen. */
 function brief(name, result, old) {

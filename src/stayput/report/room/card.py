@@ -273,7 +273,7 @@ def _notes(plan: ActionPlan) -> Iterator[Phrase]:
     ]
     yield phrase("action_plan.grades", meanings=joined(meanings))
     verdict = plan.verdict
-    runs = verdict.motions * verdict.samples
+    runs = verdict.without.runs
     if any(step.fix is not None for step in plan.steps):
         scatter = USUAL["strength"]
         assert isinstance(scatter, Lognormal)

@@ -193,7 +193,7 @@ def simulations_of_room(verdict: Verdict, language: str) -> str:
     """Return how many runs the verdict rests on."""
     motions = room_words.motion_phrase(verdict) or phrase("rooms.motions", count=verdict.motions)
     runs = f"{verdict.runs:,}"
-    return say("rooms.simulations", language, runs=runs, motions=motions, samples=verdict.samples)
+    return say("rooms.simulations", language, runs=runs, motions=motions, each=verdict.runs_each)
 
 
 def room_markdown(verdict: Verdict, language: str = "en") -> str:

@@ -82,7 +82,7 @@ def verdict_dataset(verdict: Verdict) -> xr.Dataset:
             "event": events,
             "bound": bound,
         },
-        attributes(verdict, "motions", "samples", "runs", "seed", "intensity"),
+        attributes(verdict, "motions", "runs", "seed", "intensity"),
     )
     for name, unit in (("slide", "m"), ("tilt", "rad")):
         for part in ("median", "p90"):
@@ -230,8 +230,7 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         "motion_floor": verdict.floor or None,
         "strength": strength_data(verdict.scenario, verdict.motions),
         "slide_limit_m": verdict.slide_limit,
-        **attributes(verdict, "motions", "samples", "runs"),
-        "settled_runs": verdict.settled,
+        **attributes(verdict, "motions", "runs"),
         **attributes(verdict, "seed", "precise", "seconds", "complete"),
         "engine": "plane" if verdict.scenario.dimensions == 2 else "space",
         "components": list(verdict.scenario.components),
@@ -246,6 +245,9 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
                 **_in_place(item.option, verdict.scenario),
             }
             for item in verdict.impossible
+        ],
+        "meetings": [
+            {"pieces": [first, second], **_probability(chance)} for first, second, chance in verdict.meetings
         ],
         "estimates": None if verdict.estimates is None else _estimates(verdict.estimates),
         "everyday": everyday_data(verdict.scenario) if verdict.scenario.alone else None,
@@ -341,6 +343,7 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
         "helps": result.helps,
         "better": list(result.better),
         "worse": list(result.worse),
+        "runs": result.runs,
         "typical": {"motion": result.typical.motion, "sample": result.typical.sample},
         "devices": [_device(device) for device in result.devices],
         "contents": None if result.contents is None else contents_data(result.contents),
@@ -348,7 +351,7 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
             {
                 "share": capacity.share,
                 "jma_intensity": number(capacity.estimate),
-                **attributes(capacity, "low", "high", "above", "below", "one_motion", "text"),
+                **attributes(capacity, "low", "high", "text"),
             }
             for capacity in result.capacities.values()
         ],
@@ -385,11 +388,11 @@ def _piece(piece: PieceVerdict, counts: bool) -> dict[str, Any]:
 def people_data(people: People) -> dict[str, Any]:
     """Return what happens to the people of a room as plain values."""
     names = "crushed", "hit", "touched", "shut_in", "blocked"
-    outlooks = {name: getattr(people, name) for name in names}
+    estimates = {name: getattr(people, name) for name in names}
     return {
         "crushed_from_J": CRUSHING_ENERGY,
-        **{name: interval_data(outlook.chance) for name, outlook in outlooks.items()},
-        **{f"{name}_change": interval_data(outlook.change) for name, outlook in outlooks.items()},
+        **{name: interval_data(estimate.chance) for name, estimate in estimates.items()},
+        **{f"{name}_change": interval_data(estimate.change) for name, estimate in estimates.items()},
         "risk": number(people.risk),
         "harm_J": number(people.harm),
         "places": [
@@ -430,6 +433,7 @@ def _device(device: DeviceSummary) -> dict[str, Any]:
         "failure_time_s": number(device.failure_time),
         "peak_force_n": quantiles_data(device.peak),
         "utilisation": quantiles_data(device.used),
+        "demand": None if device.demand is None else quantiles_data(device.demand),
         "weakest": None if device.weakest is None else by_language(device.weakest),
     }
 
@@ -458,10 +462,8 @@ def _curve(curve: FragilityCurve) -> dict[str, Any]:
     """Return a curve and the observed shares at its levels, in SI units."""
     im = [level.im for level in curve.levels]
     share, (low, high) = curve.probability(im), curve.band(im)
-    lognormal = curve.lognormal
     return {
         "measure": curve.measure.key,
-        "state": curve.state.value,
         "method": METHOD,
         "one_motion": curve.one_motion,
         "levels": [
@@ -472,7 +474,5 @@ def _curve(curve: FragilityCurve) -> dict[str, Any]:
             }
             for level, p, a, b in zip(curve.levels, share, low, high, strict=True)
         ],
-        "lognormal": None
-        if lognormal is None
-        else attributes(lognormal, "family", "median", "dispersion", "fits", "p_value", "misfit"),
+        "lognormal": None if curve.lognormal is None else curve.lognormal._asdict(),
     }

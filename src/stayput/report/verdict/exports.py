@@ -26,17 +26,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.catalogue import phrase, say
+from stayput.catalogue import Phrase, phrase, say
 from stayput.errors import InputError, list_of
 from stayput.files import CSV_ENCODING, check_target, csv_text, draft, folder_draft
 from stayput.fragility import intensity_measures
-from stayput.fragility.curve import METHOD, CurveState, FragilityCurve
+from stayput.fragility.curve import METHOD, FragilityCurve
 from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.report.fragility import plot_options
 from stayput.report.summary import number
 
 if TYPE_CHECKING:
-    from stayput.fragility.lognormal import LognormalFit
     from stayput.verification import Verdict
 
 
@@ -49,15 +48,14 @@ def identifiers(curves: Sequence[FragilityCurve]) -> list[str]:
     Raises
     ------
     InputError
-        A curve that is not fitted or is of one motion, without a name, or two curves with the same name.
+        A curve of one motion or without a median, without a name, or two curves with the same name.
     """
     checked = list_of("curves", curves, FragilityCurve)
     if not checked:
         raise InputError("common.empty", "curves")
     for curve in checked:
-        if curve.state is not CurveState.FITTED or curve.one_motion:
-            state = phrase("fragility.of_one_motion") if curve.one_motion else curve.state.phrase
-            raise InputError("fragility.not_fitted", name=repr(curve.name), state=state)
+        if (why := _not_for_loss_tools(curve)) is not None:
+            raise InputError("fragility.not_for_loss_tools", "curves", name=repr(curve.name), why=why)
     return plain_names([curve.name for curve in checked])
 
 
@@ -148,17 +146,17 @@ def nrml_xml(curves: Sequence[FragilityCurve], description: str = "") -> str:
             allowed = ", ".join((*(key for key, demand in DEMANDS.items() if demand[0]), "SA(T)"))
             name, over = repr(curve.name), curve.measure.key
             raise InputError("fragility.not_in_nrml", name=name, measure=over, allowed=allowed)
-        fitted = curve.lognormal
-        if fitted is not None and fitted.fits and not curve.measure.is_logarithm:
-            _add_lognormal(model, name, fitted, measure, factor)
-        else:
+        if curve.measure.is_logarithm:  # NRML knows no normal distribution
             _add_discrete(model, name, curve, measure, factor)
+        else:
+            _add_lognormal(model, name, curve, measure, factor)
     ET.indent(root)
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ET.tostring(root, encoding="unicode") + "\n"
 
 
-def _add_lognormal(model: ET.Element, name: str, curve: LognormalFit, imt: str, factor: float) -> None:
-    median, beta = curve.median * factor, curve.dispersion
+def _add_lognormal(model: ET.Element, name: str, curve: FragilityCurve, imt: str, factor: float) -> None:
+    assert curve.lognormal is not None
+    median, beta = curve.lognormal.median * factor, curve.lognormal.dispersion
     mean = median * math.exp(0.5 * beta**2)
     deviation = mean * math.sqrt(math.expm1(beta**2))
     lowest, highest = (repr(median * math.exp(sign * _REACH * beta)) for sign in (-1.0, 1.0))
@@ -170,11 +168,12 @@ def _add_lognormal(model: ET.Element, name: str, curve: LognormalFit, imt: str, 
 
 
 def _add_discrete(model: ET.Element, name: str, curve: FragilityCurve, imt: str, factor: float) -> None:
-    levels = [f"{level.im * factor:.6g}" for level in curve.levels]
+    grid = curve.grid(POINTS)
+    levels = [f"{level * factor:.6g}" for level in grid.tolist()]
     function = ET.SubElement(model, "fragilityFunction", {"id": name, "format": "discrete"})
     ends = {"imt": imt, "noDamageLimit": levels[0]}
     ET.SubElement(function, "imls", ends).text = " ".join(levels)
-    shares = " ".join(f"{p:.6f}" for p in curve.rising.share)
+    shares = " ".join(f"{p:.6f}" for p in curve.probability(grid).tolist())
     ET.SubElement(function, "poes", {"ls": LIMIT_STATE}).text = shares
 
 
@@ -184,7 +183,8 @@ def write_nrml(curves: Sequence[FragilityCurve], path: str | Path, description: 
     Parameters
     ----------
     curves : sequence of FragilityCurve
-        Fitted curves of several motions with different names, over PGA, PGV, Sa(T), MMI or JMA's intensity.
+        Curves of several motions with different names, whose medians are known, over PGA, PGV, Sa(T), MMI or
+        JMA's intensity.
     path : str or Path
         The file, whose name ends in .xml.
     description : str
@@ -193,15 +193,15 @@ def write_nrml(curves: Sequence[FragilityCurve], path: str | Path, description: 
     Raises
     ------
     InputError
-        A curve that is not fitted, is of one motion or is over a floor's motion, names that are alike, or a
-        path that cannot be written.
+        A curve of one motion, without a median or over a floor's motion, names that are alike, or a path that
+        cannot be written.
 
     Examples
     --------
     >>> import stayput as sp
     >>> from stayput.fragility.intensity_measures import PGA
     >>> trials = sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40])
-    >>> sp.write_nrml([sp.fragility_curve(trials, "bookcase")], "fragility.xml")
+    >>> sp.write_nrml([sp.FragilityCurve("bookcase", trials)], "fragility.xml")
     """
     text = nrml_xml(curves, description)
     with draft(check_target(path, (".xml",))) as unfinished:
@@ -214,9 +214,6 @@ HEADER = (
 )
 """Columns of pelicun's file."""
 
-PARTS = 8
-"""Parts from one level to the next of a curve that is written by points."""
-
 
 def pelicun_csv(curves: Sequence[FragilityCurve]) -> str:
     """Return the text of the file: see `write_pelicun`."""
@@ -224,35 +221,13 @@ def pelicun_csv(curves: Sequence[FragilityCurve]) -> str:
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(HEADER)
     for name, curve in zip(identifiers(curves), curves, strict=True):
-        lognormal = curve.lognormal
+        assert curve.lognormal is not None
         _, demand, unit, factor = demand_of(curve.measure)
-        if lognormal is None or not lognormal.fits:
-            parameters = ("multilinear_CDF", _points(curve, factor), "")
-        else:
-            # Theta_1 of "lognormal" is the standard deviation of the logarithm, of "normal_std" of the value
-            family = "normal_std" if curve.measure.is_logarithm else "lognormal"
-            parameters = (family, repr(lognormal.median * factor), repr(lognormal.dispersion))
+        # Theta_1 of "lognormal" is the standard deviation of the logarithm, of "normal_std" of the value
+        family = "normal_std" if curve.measure.is_logarithm else "lognormal"
+        parameters = family, repr(curve.lognormal.median * factor), repr(curve.lognormal.dispersion)
         writer.writerow((name, 0, demand, unit, 0, 0, *parameters))
     return text.getvalue()
-
-
-def _points(curve: FragilityCurve, factor: float) -> str:
-    """Return the points of a curve in pelicun's notation: intensities, a bar, shares that rise from 0 to 1.
-
-    Pelicun's CDF is straight in the intensity, the curve in the logarithm of a peak, so it gets points
-    between the levels too. Pelicun keeps six digits of both and wants both to rise: shares do, by 1e-6.
-    """
-    u, share = curve.rising.u, curve.rising.share
-    parts = np.arange((len(u) - 1) * PARTS + 1) / PARTS
-    x = factor * curve.measure.value(np.interp(parts, np.arange(len(u)), u))
-    start = max(curve.measure.least, min(0.0, float(x[0]) - 1.0))
-    x = np.array([start, *x, x[-1] + 1e-3 * (x[-1] - start)])
-    y = np.array([0.0, *np.interp(parts, np.arange(len(u)), share), 1.0])
-    points = dict(zip((f"{value:.5g}" for value in x), y.tolist(), strict=True))  # near ones fall together
-    steps = np.arange(len(points))
-    millionths = np.rint(1e6 * np.array(list(points.values()))) - steps
-    rising = np.minimum(np.maximum.accumulate(millionths), 1e6 - steps[-1]) + steps
-    return f"{','.join(points)}|{','.join(f'{value / 1e6:.6f}' for value in rising)}"
 
 
 def write_pelicun(curves: Sequence[FragilityCurve], path: str | Path) -> None:
@@ -260,30 +235,26 @@ def write_pelicun(curves: Sequence[FragilityCurve], path: str | Path) -> None:
 
     The demand is that of the body's own floor (offset 0). It is not directional: all measures are of both
     horizontal components. Pelicun multiplies such demands by 1.2, unless its option
-    ``NonDirectionalMultipliers`` says ``{"ALL": 1.0}``, as it must here: a peak is the larger one already. A
-    curve that no lognormal fits is written by its points (``multilinear_CDF``). That distribution must begin
-    at 0 and end at 1: below the weakest level that was run it rises straight from no shaking (0), and above
-    the strongest one everything falls.
+    ``NonDirectionalMultipliers`` says ``{"ALL": 1.0}``, as it must here: a peak is the larger one already.
 
     Parameters
     ----------
     curves : sequence of FragilityCurve
-        Fitted curves of several motions with different names, over any measures.
+        Curves of several motions with different names, over any measures, whose medians are known.
     path : str or Path
         The file, whose name ends in .csv.
 
     Raises
     ------
     InputError
-        A curve that is not fitted or is of one motion, names that are alike, or a path that cannot be
-        written.
+        A curve of one motion or without a median, names that are alike, or a path that cannot be written.
 
     Examples
     --------
     >>> import stayput as sp
     >>> from stayput.fragility.intensity_measures import PGA
     >>> trials = sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40])
-    >>> sp.write_pelicun([sp.fragility_curve(trials, "bookcase")], "fragility.csv")
+    >>> sp.write_pelicun([sp.FragilityCurve("bookcase", trials)], "fragility.csv")
     """
     text = pelicun_csv(curves)
     with draft(check_target(path, (".csv",))) as unfinished:
@@ -324,9 +295,8 @@ def write_curves(
         The folder does not let a file be written.
     """
     curves = [result.curves[measure] for result in verdict.options]
-    fitted = [curve for curve in curves if curve.state is CurveState.FITTED]
     texts: dict[str, str | None] = {
-        "curves.csv": curves_csv(fitted, measure),
+        "curves.csv": curves_csv(curves, measure),
         "observed.csv": observed_csv(curves),
         "fragility.svg": None,  # which is drawn
     }
@@ -334,12 +304,17 @@ def write_curves(
         result.option.name: result.option.name if language == "en" else verdict.label(result, language)
         for result in verdict.options
     }
-    left_out = [reason for curve in curves if (reason := _left_out(curve, called[curve.name], language))]
+    why = {curve.name: _not_for_loss_tools(curve) for curve in curves}
+    left_out = [
+        say("fragility.left_out", language, option=called[name], why=reason)
+        for name, reason in why.items()
+        if reason is not None
+    ]
     left_out += [
         say("report.in_no_file", language, option=result.option.name, reason=result.why(language))
         for result in verdict.impossible
     ]
-    several = [curve for curve in fitted if not curve.one_motion]
+    several = [curve for curve in curves if why[curve.name] is None]
     left_out += [
         say("report.renamed", language, option=called[curve.name], identifier=identifier)
         for curve, identifier in zip(several, identifiers(several) if several else (), strict=True)
@@ -362,24 +337,15 @@ def write_curves(
     return [folder / name for name in texts], left_out
 
 
-def _left_out(curve: FragilityCurve, name: str, language: str) -> str:
-    """Return why a curve is not in the files for loss tools, or there by its points; else nothing."""
-    if curve.state is not CurveState.FITTED:
-        return say("fragility.left_out_state", language, option=name, state=curve.state.phrase)
+def _not_for_loss_tools(curve: FragilityCurve) -> Phrase | None:
+    """Return why a curve is not for loss tools; None where it is."""
     if curve.one_motion:
-        return say("fragility.left_out_one_motion", language, option=name)
-    lognormal, highest = curve.lognormal, curve.measure.text(curve.levels[-1].im)
-    if lognormal is not None and lognormal.fits:
-        return ""
-    why = phrase("fragility.no_lognormal") if lognormal is None else lognormal.texts
-    return say("fragility.by_points", language, option=name, highest=highest, why=why)
+        return phrase("fragility.is_of_one_motion")
+    return phrase("fragility.has_no_median") if curve.lognormal is None else None
 
 
 def curves_csv(curves: Sequence[FragilityCurve], measure: intensity_measures.IntensityMeasure) -> str:
-    """Return fitted curves as the text of a CSV file: intensity in SI units, probability and its interval.
-
-    Of one motion there is no interval.
-    """
+    """Return curves as the text of a CSV file: intensity in SI units, probability and its interval."""
     rows: list[tuple[object, ...]] = []
     for curve in curves:
         grid = curve.grid(POINTS)

@@ -24,7 +24,7 @@ from stayput.report.summary import sentences_of_piece
 from stayput.report.verdict import numbers, tables
 from stayput.report.verdict.assumptions import assumptions, told
 from stayput.report.verdict.numbers import word
-from stayput.verification.contest import drawn_run
+from stayput.verification.option_runner import drawn_run
 from stayput.verification.words import class_label, title
 
 if TYPE_CHECKING:

@@ -126,33 +126,18 @@ def forces(quantiles: Quantiles, language: str) -> tuple[str, str]:
     return _both(quantiles, force, language)
 
 
-def capacity(reached: Capacity | None, language: str, *, brief: bool = False) -> str:
-    """Return a capacity without its interval: "6.12", "> 6.90", "5.50 to 5.75"; what is unsure is marked."""
+def capacity(reached: Capacity | None, language: str) -> str:
+    """Return a capacity without its interval: "6.12", "> 6.90", "< 5.50"."""
     if reached is None:
         return NO_NUMBER
-    show = reached.measure.text
     if math.isfinite(reached.estimate):
-        return show(reached.estimate)
-    above = reached.above > reached.measure.least
-    below = math.isfinite(reached.below)
-    if not above and not below:
-        return word("unknown", language)
-    if above and below:
-        text = say("fragility.ends", language, low=show(reached.above, unit=False), high=show(reached.below))
-    else:
-        text = f"> {show(reached.above)}" if above else f"< {show(reached.below)}"
-    doubt = word("no_interval" if reached.one_motion else "unsure", language)
-    mark = "?" if brief else word("aside", language, content=doubt)
-    return text if reached.sure else text + mark
+        return reached.measure.text(reached.estimate)
+    return say(reached.texts, language)
 
 
 def capacity_interval(reached: Capacity | None, language: str) -> str:
     """Return the interval of a capacity: "5.95 to 6.33"; empty where the capacity is not a number."""
-    if reached is None or not math.isfinite(reached.estimate):
-        return ""
-    if reached.one_motion:
-        return word("no_interval", language)
-    return say(reached.ends, language)
+    return say(reached.ends, language) if reached is not None and math.isfinite(reached.estimate) else ""
 
 
 def word(key: str, language: str, **values: object) -> str:

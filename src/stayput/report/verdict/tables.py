@@ -142,7 +142,7 @@ SHARES = (0.1, 0.5)
 _NO_MEASURE = "No measure"
 """The option without measures in the CSV file, whose values stay what they are."""
 
-DEVICE_COLUMNS = ("device", "failed", "failure_time", "weakest_link", "peak_force", "used")
+DEVICE_COLUMNS = ("device", "failed", "failure_time", "weakest_link", "peak_force", "used", "demand")
 """Keys of the headings of `device_rows`."""
 
 
@@ -294,14 +294,16 @@ def _device(device: DeviceSummary, label: Phrase, language: str) -> tuple[str, .
         numbers.NO_NUMBER if device.weakest is None else say(device.weakest, language),
         listed.join(numbers.forces(device.peak, language)),
         listed.join(numbers.used(device.used, language)) or numbers.NO_NUMBER,
+        numbers.NO_NUMBER
+        if device.demand is None
+        else listed.join(numbers.used(device.demand, language)) or numbers.NO_NUMBER,
     )
 
 
 def simulations(verdict: Verdict, language: str) -> str:
-    """Return the number of simulations in words, and of the runs that were settled without one."""
-    counts = {"runs": f"{verdict.runs:,}", "motions": verdict.motions, "samples": verdict.samples}
-    made = word("simulations_text", language, **counts)
-    return made + word("settled_text", language, settled=f"{verdict.settled:,}") if verdict.settled else made
+    """Return the number of simulations in words."""
+    counts = {"runs": f"{verdict.runs:,}", "motions": verdict.motions, "each": verdict.runs_each}
+    return word("simulations_text", language, **counts)
 
 
 def verdict_csv(verdict: Verdict) -> str:

@@ -1,0 +1,284 @@
+r"""A logit fit of what happens over an intensity: the posterior of its three parameters on a grid.
+
+    p(u) = ε + (1 − 2 ε) / (1 + exp(−(a + b (u − u₀))))
+
+u is the intensity, or the logarithm of a peak, and u₀ its mean over the runs. The lapse ε is the share of
+runs that go the other way however weak or strong the shaking is: without it a single fall far below the
+others would flatten the whole curve. The prior of a is that of Jeffreys for the share at u₀. That of the
+slope b is wide, but says what the curves of much furniture have in common: few runs at few levels do not tell
+it by themselves. Each of `LAPSES` is as likely as the others.
+
+Runs of one motion are alike. The log-likelihood is therefore divided by their design effect (Kish 1965),
+estimated from how far the counts of each motion are from the curve as in `stayput.fragility.probabilities`,
+and by the squared ratio of the quantiles of Student's t and of the normal distribution, as motions are few.
+
+The difference of two shares at u = 0 has the interval of Zou and Donner (2008), whose ends come from those of
+the two and from their correlation, as Newcombe's (1998) of paired proportions do.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import expit, log_expit, logit, ndtri
+
+from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY
+from stayput.fragility.paired import Difference
+from stayput.fragility.probabilities import CONFIDENCE, Probability, effect_of_residuals, quantile
+
+if TYPE_CHECKING:
+    from stayput.fragility.intensity_measures import IntensityMeasure
+
+LAPSES = (0.0, 0.01, 0.03)
+"""Values of ε."""
+
+SLOPE, SLOPE_SCATTER = 4.8, 0.45
+"""Median of b for each e-fold of the shaking, and the standard deviation of its logarithm.
+
+Counted curves of furniture in space have 5.6 to 6.6 for a unit of JMA's intensity, which is 1.15 e-folds."""
+
+PEAK_SLOPE, PEAK_SCATTER = 3.3, 0.6
+"""The same over any other measure, in which motions of the same JMA intensity differ."""
+
+EFOLDS = 0.5 * math.log(10.0)
+"""E-folds of the shaking in a unit of an intensity: JMA's is 2 log10 of it and a constant."""
+
+_POINTS = (61, 25)
+"""Points of a grid along a and ln b."""
+
+_PASSES = 3
+"""Grids one after the other, each over the part of the last one that has weight."""
+
+_NO_WEIGHT = 1e-6
+"""Weight of a point, in that of the likeliest, below which it is left out."""
+
+_LARGEST_LOGIT = 9.0
+"""Logit of the share at u₀ beyond which no grid reaches: 1 in 8,000."""
+
+_SHRINKS = 4.0
+"""Runs without a correlation that are added before that of two options is estimated."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LogitFit:
+    """The posterior of the parameters of a curve, by points.
+
+    Parameters
+    ----------
+    middle : float
+        u₀.
+    a, b, lapse, weight : ndarray, shape (points,)
+        Parameters of each point, and its probability.
+    design_effect : float
+        Runs over independent runs that would tell as much.
+    """
+
+    middle: float
+    a: NDArray[np.float64]
+    b: NDArray[np.float64]
+    lapse: NDArray[np.float64]
+    weight: NDArray[np.float64]
+    design_effect: float = 1.0
+
+    @classmethod
+    def of(
+        cls,
+        measure: IntensityMeasure,
+        u: NDArray[np.float64],
+        fell: NDArray[np.float64],
+        runs: NDArray[np.float64],
+        motion: NDArray[np.intp] | None = None,
+    ) -> Self:
+        """Fit a curve to counts.
+
+        Parameters
+        ----------
+        measure : IntensityMeasure
+            Of which u are coordinates.
+        u, fell, runs : ndarray, shape (cells,)
+            Coordinate, falls and runs of each cell; each has runs.
+        motion : ndarray of int, shape (cells,), optional
+            The number of each cell's motion; None where all runs are independent.
+        """
+        middle = float(np.average(u, weights=runs))
+        x, of_cell = np.unique(u - middle, return_inverse=True)  # a verification has three levels
+        falls, stands = (np.bincount(of_cell, k).astype(np.float64) for k in (fell, runs - fell))
+        if motion is None:
+            return cls._posterior(measure, middle, x, falls, stands)
+        motions, effect = len(np.unique(motion)), 1.0
+        if runs.sum() > motions:  # runs that have a motion each are independent
+            expected = cls._posterior(measure, middle, x, falls, stands).mean(middle + x)[of_cell]
+            effect = effect_of_residuals(fell - runs * expected, runs, expected, motion)
+        few = quantile(motions, round(runs.sum())) / float(ndtri(0.5 + 0.5 * CONFIDENCE))
+        loss = effect * few * few
+        return cls._posterior(measure, middle, x, falls / loss, stands / loss, effect)
+
+    @classmethod
+    def _posterior(
+        cls,
+        measure: IntensityMeasure,
+        middle: float,
+        x: NDArray[np.float64],
+        falls: NDArray[np.float64],
+        stands: NDArray[np.float64],
+        effect: float = 1.0,
+    ) -> Self:
+        of_jma = measure in (JMA_INTENSITY, FLOOR_JMA)
+        slope, scatter = (SLOPE, SLOPE_SCATTER) if of_jma else (PEAK_SLOPE, PEAK_SCATTER)
+        usual = math.log(slope * (EFOLDS if measure.is_logarithm else 1.0))
+
+        def weights(axes: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
+            """Return the posterior at each a, ln b and lapse, the largest of which is 1."""
+            a, log_b = axes[0][:, np.newaxis], axes[1]
+            z = a[..., np.newaxis] + np.exp(log_b)[:, np.newaxis] * x
+            prior = 0.5 * (log_expit(a) + log_expit(-a)) - 0.5 * ((log_b - usual) / scatter) ** 2
+            each = np.stack([prior + _log_likelihood(z, lapse, falls, stands) for lapse in LAPSES], axis=-1)
+            return np.exp(each - each.max())
+
+        ends = (-_LARGEST_LOGIT, _LARGEST_LOGIT), (usual - 4.0 * scatter, usual + 4.0 * scatter)
+        axes = [np.linspace(*end, points) for end, points in zip(ends, _POINTS, strict=True)]
+        weight = weights(axes)
+        for _ in range(_PASSES - 1):
+            for axis, others in enumerate(((1, 2), (0, 2))):
+                some = np.flatnonzero(weight.max(axis=others) > _NO_WEIGHT)
+                first, last = max(int(some[0]) - 1, 0), min(int(some[-1]) + 1, len(axes[axis]) - 1)
+                axes[axis] = np.linspace(axes[axis][first], axes[axis][last], _POINTS[axis])
+            weight = weights(axes)
+        chosen = weight > _NO_WEIGHT
+        columns = np.broadcast_arrays(
+            axes[0][:, np.newaxis, np.newaxis], np.exp(axes[1])[:, np.newaxis], LAPSES
+        )
+        a, b, lapse = (column[chosen] for column in columns)
+        return cls(middle, a, b, lapse, weight[chosen] / weight[chosen].sum(), effect)
+
+    def _shares(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return p of each point at each coordinate, shape (points, coordinates)."""
+        z = self.a[:, np.newaxis] + self.b[:, np.newaxis] * (u - self.middle)
+        lapse = self.lapse[:, np.newaxis]
+        return lapse + (1.0 - 2.0 * lapse) * expit(z)
+
+    def mean(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the mean of the probability at coordinates."""
+        return self.weight @ self._shares(u)
+
+    def probability(self, u: ArrayLike, confidence: float = CONFIDENCE) -> NDArray[np.float64]:
+        """Return lower end, median and upper end of the probability at coordinates, shape (3, ...)."""
+        at = np.asarray(u, np.float64)
+        each = [self._quantiles(shares, confidence) for shares in self._shares(at.ravel()).T]
+        return np.array(each).reshape(-1, 3).T.reshape(3, *at.shape)
+
+    def coordinate(self, share: float) -> NDArray[np.float64]:
+        """Return lower end, median and upper end of where a share is reached; ±∞ where nowhere."""
+        with np.errstate(invalid="ignore", divide="ignore"):
+            risen = np.clip((share - self.lapse) / (1.0 - 2.0 * self.lapse), 0.0, 1.0)
+            return self._quantiles(self.middle + (logit(risen) - self.a) / self.b)
+
+    @property
+    def slope(self) -> float:
+        """Median of b."""
+        return float(self._quantiles(self.b)[1])
+
+    def _quantiles(self, values: NDArray[np.float64], confidence: float = CONFIDENCE) -> NDArray[np.float64]:
+        order = np.argsort(values, kind="stable")
+        tails = 0.5 * (1.0 - confidence), 0.5, 0.5 * (1.0 + confidence)
+        place = np.searchsorted(np.cumsum(self.weight[order]), tails)
+        return values[order][place.clip(max=len(order) - 1)]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RunsAround:
+    """Whether something happened in runs at several levels around one in question.
+
+    Parameters
+    ----------
+    measure : IntensityMeasure
+        Of which u are coordinates.
+    u : ndarray, shape (runs,)
+        Coordinate of each run; 0 is that in question.
+    happened, missing : ndarray of bool, shape (runs,)
+        Whether it happened; whether the run was given up.
+    motion : ndarray of int, shape (runs,)
+        The number of each run's motion.
+    """
+
+    measure: IntensityMeasure
+    u: NDArray[np.float64]
+    happened: NDArray[np.bool_]
+    missing: NDArray[np.bool_]
+    motion: NDArray[np.intp]
+
+    def fit(self, *, missing_as: bool | None = None) -> LogitFit:
+        """Return the fit to the runs, those given up left out, or counted as having it happen or not."""
+        happened = np.where(self.missing, bool(missing_as), self.happened)
+        used = ~self.missing if missing_as is None else np.ones_like(self.missing)
+        columns = (self.u[used], happened[used], self.motion[used])
+        return _fit(self.measure, *(np.ascontiguousarray(column).tobytes() for column in columns))
+
+    def probability(self) -> Probability:
+        """Return the probability at coordinate 0; the counts are of the runs there."""
+        here, known = self.u == 0.0, ~self.missing
+        lost, runs = int((here & self.missing).sum()), here & known
+        if not known.any():
+            return Probability(math.nan, 0.0, 1.0, 0, 0, 0, lost, math.nan)
+        fit = self.fit()
+        each = self.fit(missing_as=False), fit, self.fit(missing_as=True)
+        low, estimate, high = (float(fitted.probability(0.0)[end]) for end, fitted in enumerate(each))
+        counts = int((self.happened & runs).sum()), int(runs.sum()), len(np.unique(self.motion[runs]))
+        return Probability(estimate, low, high, *counts, lost, fit.design_effect)
+
+    def difference(self, other: RunsAround, comparisons: int = 1) -> Difference:
+        """Return how much likelier it is at coordinate 0 than in other runs.
+
+        Parameters
+        ----------
+        other : RunsAround
+            The others: those with the same place in both arrays have the same motion, draw and level. One may
+            have more.
+        comparisons : int
+            As of `stayput.fragility.paired.difference`.
+        """
+        both = slice(min(len(self.u), len(other.u)))
+        known = ~(self.missing[both] | other.missing[both])
+        here = known & (self.u[both] == 0.0)
+        first, second = self.happened[both] & here, other.happened[both] & here
+        more, fewer = int((first & ~second).sum()), int((second & ~first).sum())
+        lost = int((~known & (self.u[both] == 0.0)).sum())
+        if not known.any():
+            return Difference(math.nan, -1.0, 1.0, 0, 0, 0, lost)
+        confidence = 1.0 - (1.0 - CONFIDENCE) / comparisons
+        fits, u = (self.fit(), other.fit()), self.u[both][known]
+        (l1, p1, u1), (l2, p2, u2) = (fit.probability(0.0, confidence).tolist() for fit in fits)
+        expected = [fit.mean(u) for fit in fits]
+        r1, r2 = (runs.happened[both][known] - p for runs, p in zip((self, other), expected, strict=True))
+        scatter = np.prod([_SHRINKS * 0.25 + (p * (1.0 - p)).sum() for p in expected])
+        alike = max(0.0, float((r1 * r2).sum()) / math.sqrt(scatter))
+        alike *= math.sqrt(min(len(self.u), len(other.u)) / max(len(self.u), len(other.u)))
+
+        def side(first: float, second: float) -> float:
+            return math.sqrt(max(first * first + second * second - 2.0 * alike * first * second, 0.0))
+
+        low, high = p1 - p2 - side(p1 - l1, u2 - p2), p1 - p2 + side(u1 - p1, p2 - l2)
+        return Difference(p1 - p2, low, high, more, fewer, int(here.sum()), lost)
+
+
+@lru_cache(maxsize=4096)
+def _fit(measure: IntensityMeasure, u: bytes, happened: bytes, motion: bytes) -> LogitFit:
+    """Return the fit to runs; cached, as the same is often asked of a piece and of all pieces."""
+    x, fell = np.frombuffer(u), np.frombuffer(happened, np.bool_).astype(np.float64)
+    return LogitFit.of(measure, x, fell, np.ones(len(x)), np.frombuffer(motion, np.intp))
+
+
+def _log_likelihood(
+    z: NDArray[np.float64], lapse: float, falls: NDArray[np.float64], stands: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return Σ k ln p + (n − k) ln(1 − p) over the last axis."""
+    if lapse == 0.0:  # where p rounds to 0 or 1 its logarithm does not
+        return (falls * log_expit(z) + stands * log_expit(-z)).sum(axis=-1)
+    p = lapse + (1.0 - 2.0 * lapse) * expit(z)
+    return (falls * np.log(p) + stands * np.log1p(-p)).sum(axis=-1)
