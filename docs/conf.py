@@ -55,6 +55,7 @@ autodoc_class_signature = "mixed"
 napoleon_google_docstring = False
 napoleon_custom_sections = [("Attributes", "params_style")]  # "x, z : ndarray" documents both
 napoleon_preprocess_types = False
+suppress_warnings = ["ref.python"]  # a word of a shape, as (levels,), may be the name of several attributes
 python_maximum_signature_line_length = 90
 
 html_theme = "furo"
