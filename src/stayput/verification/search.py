@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -130,26 +131,31 @@ def moves_of(
         if not scenario.pieces[body].is_furniture:
             continue
         others_hit = np.any(np.delete(hit, body, axis=2), axis=2)
-        origin = np.array(piece.at[:2])
-
-        def risk_at(swept: NDArray[np.float64], others_hit: NDArray[np.bool_] = others_hit) -> float:
-            return risk_of(others_hit | reached(swept, plan.places), plan.places, runs.missing)
-
-        here = risk_at(swept[body])
+        risk_at = partial(_risk, others_hit, plan.places, runs.missing)
+        origin, here = np.array(piece.at[:2]), risk_at(swept[body])
         for wall, middles in changes.places_at_walls(scene, body, floor):
             runner.advance(0)
             angle = FACING[wall] - piece.heading
+            if abs(math.remainder(angle, 2.0 * math.pi)) < 1e-9:
+                middles = [middle for middle in middles if math.dist(middle, piece.at[:2]) >= SAME]
             turned = turned_rectangles(swept[body] - origin, angle)
-            faces_the_same = abs(math.remainder(angle, 2.0 * math.pi)) < 1e-9
             best, least = None, here + 2.0 * ALIKE  # that of the same is no more
             for middle in middles:
-                if faces_the_same and math.dist(middle, piece.at[:2]) < SAME:
-                    continue
                 risk = risk_at(turned + np.array(middle))
                 if risk < least - ALIKE:
                     best, least = middle, risk
             if best is not None:
                 yield changes.Change(scenario.names[body], at=best, heading=FACING[wall])
+
+
+def _risk(
+    others_hit: NDArray[np.bool_],
+    places: Sequence[PersonPlace],
+    missing: NDArray[np.bool_],
+    swept: NDArray[np.float64],
+) -> float:
+    """Return the chance that somebody is hit by other pieces or in the rectangles that one sweeps."""
+    return risk_of(others_hit | reached(swept, places), places, missing)
 
 
 def _away(place: PersonPlace, other: PersonPlace) -> float:
