@@ -26,17 +26,17 @@ def integrated(
     middle = (n * U).sum() / n.sum()
     a = np.linspace(-9.0, 9.0, 901)[:, np.newaxis, np.newaxis]
     log_b = np.linspace(np.log(slope) - 4.0 * scatter, np.log(slope) + 4.0 * scatter, 151)[:, np.newaxis]
-    lapse = np.array([0.0, 0.01, 0.03])
+    least, most = np.array([0.0, 0.01, 0.03, 0.0, 0.0]), np.array([1.0, 0.99, 0.97, 0.85, 0.65])
     share = expit(a)
     log_weight = (
-        0.5 * np.log(share * (1.0 - share)) - 0.5 * ((log_b - np.log(slope)) / scatter) ** 2 + 0 * lapse
+        0.5 * np.log(share * (1.0 - share)) - 0.5 * ((log_b - np.log(slope)) / scatter) ** 2 + 0 * least
     )
     for x, falls, of in zip(U - middle, k, n, strict=True):
-        p = np.clip(lapse + (1.0 - 2.0 * lapse) * expit(a + np.exp(log_b) * x), 1e-300, 1.0 - 1e-16)
+        p = np.clip(least + (most - least) * expit(a + np.exp(log_b) * x), 1e-300, 1.0 - 1e-16)
         log_weight = log_weight + falls * np.log(p) + (of - falls) * np.log1p(-p)
     weight = np.exp(log_weight - log_weight.max()).ravel()
-    shares = (lapse + (1.0 - 2.0 * lapse) * expit(a + np.exp(log_b) * (at - middle))).ravel()
-    risen = (0.5 - lapse) / (1.0 - 2.0 * lapse)
+    shares = (least + (most - least) * expit(a + np.exp(log_b) * (at - middle))).ravel()
+    risen = (0.5 - least) / (most - least)
     half = (middle + (np.log(risen / (1.0 - risen)) - a) / np.exp(log_b)).ravel()
     found = []
     for values in (shares, half):

@@ -8,10 +8,11 @@ import math
 import numpy as np
 import pytest
 
+from stayput.montecarlo.counting import OFFSETS, Members
 from stayput.motion.processing import QUANTUM, displacement, ending_at_rest, velocity
 from stayput.motion.response import mean_period
-from stayput.motion.suites.families import ETA, FAMILIES, PointSource, SoilLayer, saragoni_hart
-from stayput.motion.suites.synthesis import synthetic_suite
+from stayput.motion.suites.families import ETA, FAMILIES, MIX, PointSource, SoilLayer, saragoni_hart
+from stayput.motion.suites.synthesis import mixed_order, synthetic_suite
 
 COUNT = 24
 
@@ -134,3 +135,14 @@ def test_a_soil_layer_resonates_at_its_period_by_the_impedance_ratio():
 def test_settling_leaves_a_record_that_is_at_rest_alone():
     motion = synthetic_suite("crustal", 1)[0]
     assert np.abs(ending_at_rest(motion.x) - motion.x).max() <= 2.0 * QUANTUM
+
+
+@pytest.mark.parametrize("motions", [20, 40, 100])
+def test_each_level_of_a_verification_has_its_share_of_each_family(motions):
+    """The levels are taken in turn, as the families of a mixed suite are: no two turns may coincide."""
+    members = Members.in_turn(motions, 3 * motions // 2, beside=True)
+    family = np.array(mixed_order(motions))[members.motion]
+    for level in range(len(OFFSETS)):
+        there = members.level == level
+        for name, share in MIX.items():
+            assert abs((family[there] == name).sum() - share * there.sum()) < 2.0

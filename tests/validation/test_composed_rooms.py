@@ -114,7 +114,14 @@ def followed(runner: OptionRunner) -> Answer:
     return Answer(*map(np.array, zip(*rows, strict=True)))
 
 
-@pytest.mark.parametrize("table", [BEDROOM, ROWS, OFFICE], ids=["bedroom", "rows", "office"])
+@pytest.mark.parametrize(
+    "table",
+    [
+        pytest.param(BEDROOM, id="bedroom"),
+        pytest.param(ROWS, id="rows", marks=pytest.mark.long),
+        pytest.param(OFFICE, id="office", marks=pytest.mark.long),
+    ],
+)
 def test_a_composed_room_answers_as_one_whose_pieces_meet(table: dict[str, Any]) -> None:
     runner = OptionRunner(Scenario.parse({**table, "uncertainty": {"samples": 32}}), 0.1, None)
     mine, theirs = composed(runner), followed(runner)

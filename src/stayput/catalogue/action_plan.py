@@ -76,7 +76,6 @@ TEXTS: dict[str, tuple[str, str]] = {
                 "器具が壊れるか外れる計算は{fails}、家具が倒れる計算は{share}"),
     "weak_bears": ("{measure}: each needs {needed}, holds about {holds} ({fails})",
                    "{measure}：1個あたり{needed}必要なところ、約{holds}（{fails}）"),
-    "weak_to": ("with reserve up to {strength}", "{strength}までなら余裕があります"),
     "not_enough": ("Not enough for {pieces}: what else you can do",
                    "強さや効果が足りない家具（{pieces}）に、ほかにできること"),
     "more_runs": (("Where there is no clear difference, the runs may be too few to show one: verify the room "
@@ -93,7 +92,6 @@ TEXTS: dict[str, tuple[str, str]] = {
                      "ベッドや机を、家具が届かない所に移す方法があります。"),
     "lower_piece": ("Keep heavy things at the bottom, or choose a lower piece.",
                     "重い物を下の段に入れる、背の低い家具に替える、という方法もあります。"),
-    "weak_anywhere": ("without reserve in JMA intensity 4 too", "震度4でも余裕がありません"),
     # Why measures were not taken
     "not_taken": ("What was not taken, and why", "選ばなかった対策と理由"),
     "not_possible": ("cannot be put there ({why})", "取り付けられません（{why}）"),

@@ -1,12 +1,12 @@
 r"""A logit fit of what happens over an intensity: the posterior of its three parameters on a grid.
 
-    p(u) = ε + (1 − 2 ε) / (1 + exp(−(a + b (u − u₀))))
+    p(u) = γ + (δ − γ) / (1 + exp(−(a + b (u − u₀))))
 
-u is the intensity, or the logarithm of a peak, and u₀ its mean over the runs. The lapse ε is the share of
-runs that go the other way however weak or strong the shaking is: without it a single fall far below the
-others would flatten the whole curve. The prior of a is that of Jeffreys for the share at u₀. That of the
-slope b is wide, but says what the curves of much furniture have in common: few runs at few levels do not tell
-it by themselves. Each of `LAPSES` is as likely as the others.
+u is the intensity, or the logarithm of a peak, and u₀ its mean over the runs. A share γ falls however weak
+the shaking is: without it a single fall far below the others would flatten the whole curve. A share 1 − δ
+stands however strong it is: on a slippery floor some draws slide and do not rock. The prior of a is that of
+Jeffreys for the share at u₀. That of the slope b is wide, but says what the curves of much furniture have in
+common: few runs at few levels do not tell it by themselves. Each of `LIMITS` is as likely as the others.
 
 Runs of one motion are alike. The log-likelihood is therefore divided by their design effect (Kish 1965),
 estimated from how far the counts of each motion are from the curve as in `stayput.fragility.probabilities`,
@@ -19,7 +19,6 @@ the two and from their correlation, as Newcombe's (1998) of paired proportions d
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Self
@@ -35,8 +34,8 @@ from stayput.fragility.probabilities import CONFIDENCE, Probability, effect_of_r
 if TYPE_CHECKING:
     from stayput.fragility.intensity_measures import IntensityMeasure
 
-LAPSES = (0.0, 0.01, 0.03)
-"""Values of ε."""
+LIMITS = ((0.0, 1.0), (0.01, 0.99), (0.03, 0.97), (0.0, 0.85), (0.0, 0.65))
+"""Pairs of γ and δ."""
 
 SLOPE, SLOPE_SCATTER = 4.8, 0.45
 """Median of b for each e-fold of the shaking, and the standard deviation of its logarithm.
@@ -61,6 +60,9 @@ _NO_WEIGHT = 1e-6
 _LARGEST_LOGIT = 9.0
 """Logit of the share at u₀ beyond which no grid reaches: 1 in 8,000."""
 
+_STEEPEST = 700.0
+"""Logit beyond which a share would round to 0, which has no logarithm."""
+
 _SHRINKS = 4.0
 """Runs without a correlation that are added before that of two options is estimated."""
 
@@ -73,7 +75,7 @@ class LogitFit:
     ----------
     middle : float
         u₀.
-    a, b, lapse, weight : ndarray, shape (points,)
+    a, b, least, most, weight : ndarray, shape (points,)
         Parameters of each point, and its probability.
     design_effect : float
         Runs over independent runs that would tell as much.
@@ -82,7 +84,8 @@ class LogitFit:
     middle: float
     a: NDArray[np.float64]
     b: NDArray[np.float64]
-    lapse: NDArray[np.float64]
+    least: NDArray[np.float64]
+    most: NDArray[np.float64]
     weight: NDArray[np.float64]
     design_effect: float = 1.0
 
@@ -133,35 +136,38 @@ class LogitFit:
         slope, scatter = (SLOPE, SLOPE_SCATTER) if of_jma else (PEAK_SLOPE, PEAK_SCATTER)
         usual = math.log(slope * (EFOLDS if measure.is_logarithm else 1.0))
 
-        def weights(axes: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
-            """Return the posterior at each a, ln b and lapse, the largest of which is 1."""
-            a, log_b = axes[0][:, np.newaxis], axes[1]
-            z = a[..., np.newaxis] + np.exp(log_b)[:, np.newaxis] * x
-            prior = 0.5 * (log_expit(a) + log_expit(-a)) - 0.5 * ((log_b - usual) / scatter) ** 2
-            each = np.stack([prior + _log_likelihood(z, lapse, falls, stands) for lapse in LAPSES], axis=-1)
+        least, most = np.transpose(LIMITS)[:, :, np.newaxis, np.newaxis]
+
+        def weights(a: NDArray[np.float64], log_b: NDArray[np.float64]) -> NDArray[np.float64]:
+            """Return the posterior at each pair of limits, a and ln b, the largest of which is 1."""
+            a = a[:, np.newaxis]
+            each = 0.5 * (log_expit(a) + log_expit(-a)) - 0.5 * ((log_b - usual) / scatter) ** 2
+            for of_cell, fallen, standing in zip(x, falls, stands, strict=True):
+                z = (a + np.exp(log_b) * of_cell).clip(-_STEEPEST, _STEEPEST)
+                each = each + fallen * np.log(least + (most - least) * expit(z))
+                # not of 1 − p, which rounding loses where p is nearly 1
+                each = each + standing * np.log((1.0 - most) + (most - least) * expit(-z))
             return np.exp(each - each.max())
 
         ends = (-_LARGEST_LOGIT, _LARGEST_LOGIT), (usual - 4.0 * scatter, usual + 4.0 * scatter)
         axes = [np.linspace(*end, points) for end, points in zip(ends, _POINTS, strict=True)]
-        weight = weights(axes)
+        weight = weights(*axes)
         for _ in range(_PASSES - 1):
-            for axis, others in enumerate(((1, 2), (0, 2))):
+            for axis, others in enumerate(((0, 2), (0, 1))):
                 some = np.flatnonzero(weight.max(axis=others) > _NO_WEIGHT)
                 first, last = max(int(some[0]) - 1, 0), min(int(some[-1]) + 1, len(axes[axis]) - 1)
                 axes[axis] = np.linspace(axes[axis][first], axes[axis][last], _POINTS[axis])
-            weight = weights(axes)
+            weight = weights(*axes)
         chosen = weight > _NO_WEIGHT
-        columns = np.broadcast_arrays(
-            axes[0][:, np.newaxis, np.newaxis], np.exp(axes[1])[:, np.newaxis], LAPSES
-        )
-        a, b, lapse = (column[chosen] for column in columns)
-        return cls(middle, a, b, lapse, weight[chosen] / weight[chosen].sum(), effect)
+        points = np.broadcast_arrays(axes[0][:, np.newaxis], np.exp(axes[1]), least, most)
+        a, b, gamma, delta = (column[chosen] for column in points)
+        return cls(middle, a, b, gamma, delta, weight[chosen] / weight[chosen].sum(), effect)
 
     def _shares(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return p of each point at each coordinate, shape (points, coordinates)."""
         z = self.a[:, np.newaxis] + self.b[:, np.newaxis] * (u - self.middle)
-        lapse = self.lapse[:, np.newaxis]
-        return lapse + (1.0 - 2.0 * lapse) * expit(z)
+        least, most = self.least[:, np.newaxis], self.most[:, np.newaxis]
+        return least + (most - least) * expit(z)
 
     def mean(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the mean of the probability at coordinates."""
@@ -176,7 +182,7 @@ class LogitFit:
     def coordinate(self, share: float) -> NDArray[np.float64]:
         """Return lower end, median and upper end of where a share is reached; ±∞ where nowhere."""
         with np.errstate(invalid="ignore", divide="ignore"):
-            risen = np.clip((share - self.lapse) / (1.0 - 2.0 * self.lapse), 0.0, 1.0)
+            risen = np.clip((share - self.least) / (self.most - self.least), 0.0, 1.0)
             return self._quantiles(self.middle + (logit(risen) - self.a) / self.b)
 
     @property
@@ -272,13 +278,3 @@ def _fit(measure: IntensityMeasure, u: bytes, happened: bytes, motion: bytes) ->
     """Return the fit to runs; cached, as the same is often asked of a piece and of all pieces."""
     x, fell = np.frombuffer(u), np.frombuffer(happened, np.bool_).astype(np.float64)
     return LogitFit.of(measure, x, fell, np.ones(len(x)), np.frombuffer(motion, np.intp))
-
-
-def _log_likelihood(
-    z: NDArray[np.float64], lapse: float, falls: NDArray[np.float64], stands: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Return Σ k ln p + (n − k) ln(1 − p) over the last axis."""
-    if lapse == 0.0:  # where p rounds to 0 or 1 its logarithm does not
-        return (falls * log_expit(z) + stands * log_expit(-z)).sum(axis=-1)
-    p = lapse + (1.0 - 2.0 * lapse) * expit(z)
-    return (falls * np.log(p) + stands * np.log1p(-p)).sum(axis=-1)

@@ -19,9 +19,8 @@ import numpy as np
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, instance_of
 from stayput.montecarlo.counting import OVERTURNED
-from stayput.motion.intensity import factor_to_intensity, intensity_of_class
 from stayput.progress import tally
-from stayput.rooms.purchases import Purchase, in_number, purchases_of
+from stayput.rooms.purchases import in_number, purchases_of
 from stayput.rooms.step_words import why_not
 from stayput.rooms.steps import (
     ActionPlan,
@@ -57,9 +56,6 @@ PLAN_RUNS = 32
 
 TRIAL_RUNS, CANDIDATES = 8, 2
 """Runs of all that is tried, and how many of the best of it are then run as often as what is told."""
-
-WEAKER_CLASSES = ("6-upper", "6-lower", "5-upper", "5-lower", "4")
-"""Classes of intensity, the strongest first, in which it is tried whether a device that is too weak holds."""
 
 
 def action_plan(
@@ -177,17 +173,16 @@ class _Planner:
         self._not_taken: dict[str, dict[tuple[str, ...], Phrase]] = {}
         self._known: dict[tuple[str, int], OptionVerdict] = {}
         self._clear: dict[tuple[int, tuple[str, ...]], bool] = {}
-        self._weaker: dict[float, OptionRunner] = {}
+        self.moves = self._moves()
 
     def steps(self) -> tuple[tuple[PlanStep, ...], tuple[str, ...]]:
         """Return the steps in their order, and the pieces on which nothing helps."""
         names = self.scenario.names
-        moves = self._moves()
-        chosen = [ChosenStep(self._moving(move), (move,)) for move in moves]
-        moved = {move.what for move in moves}
+        chosen = [ChosenStep(self._moving(move), (move,)) for move in self.moves]
+        moved = {move.what for move in self.moves}
         unsolved: list[str] = []
         for body in sorted(self.harmful | self.falling | set(self.decisions.measures)):
-            fixing = self._fixing(body, moves)
+            fixing = self._fixing(body)
             if fixing is not None:
                 chosen.append(fixing)
             elif names[body] in moved and body not in self.falling:
@@ -281,8 +276,8 @@ class _Planner:
     def _overturned(self, body: int) -> Probability:
         return self.as_it_is.pieces[body].probabilities[OVERTURNED]
 
-    def _fixing(self, body: int, moves: tuple[Change, ...]) -> ChosenStep | None:
-        """Return the best measures on a piece, which stands where it is to stand after some moves.
+    def _fixing(self, body: int) -> ChosenStep | None:
+        """Return the best measures on a piece.
 
         Where they are too weak, or do not clearly help, they are not enough, and no step.
         """
@@ -290,17 +285,17 @@ class _Planner:
         why = self._not_taken.setdefault(self.scenario.names[body], {})
         if decided is None:
             why |= {kinds: phrase("action_plan.drills") for kinds in TRIED if not self.home.allows(kinds)}
-            tried, sound = self._tried(body, moves, self.home.allows)
+            tried, sound = self._tried(body, self.home.allows)
         else:
             tried, sound = [self._trial(body, decided)], None
         if not tried:
-            self._with_drilling(body, moves)
+            self._with_drilling(body)
             return None
-        fix = sound or self._fitted(self._in_full(min(tried, key=merit), body, moves), body, moves)
+        fix = sound or self._fitted(self._in_full(min(tried, key=merit), body), body)
         if not fix.enough or not fix.alone.helps:
-            self._with_drilling(body, moves)
+            self._with_drilling(body)
         undrilled = [trial for trial in tried if not any(measure.drilled for measure in trial.measures)]
-        instead = self._sound(undrilled, body, moves) if fix.drilled else None
+        instead = self._sound(undrilled, body) if fix.drilled else None
         shown = {way.kinds for way in (fix, instead) if way is not None}
         best = next(trial for trial in tried if trial.kinds == fix.kinds)
         for trial in tried:
@@ -315,48 +310,46 @@ class _Planner:
         step = PlanStep(what, None, fix, alone, alone, was, instead, deciding, decided=as_decided)
         return ChosenStep(step, self._on(body, measures))
 
-    def _with_drilling(self, body: int, moves: tuple[Change, ...]) -> None:
+    def _with_drilling(self, body: int) -> None:
         """Keep the best measures on a piece that only the ban on drilling rules out, where they are sound."""
-        if fix := self._tried(body, moves, lambda kinds: not self.home.allows(kinds))[1]:
+        if fix := self._tried(body, lambda kinds: not self.home.allows(kinds))[1]:
             self.drilled[self.scenario.names[body]] = fix
 
-    def _tried(
-        self, body: int, moves: tuple[Change, ...], allowed: Callable[[tuple[str, ...]], bool]
-    ) -> tuple[list[Trial], Fix | None]:
+    def _tried(self, body: int, allowed: Callable[[tuple[str, ...]], bool]) -> tuple[list[Trial], Fix | None]:
         """Run sets of measures on a piece, two together where one is too weak; also return what is sound."""
         single, double = ([kinds for kinds in TRIED if len(kinds) == n and allowed(kinds)] for n in (1, 2))
-        tried = self._helpful(body, moves, single)
-        sound = self._sound(tried, body, moves)
+        tried = self._helpful(body, single)
+        sound = self._sound(tried, body)
         if sound is None and (not tried or any(self._clear.get((body, trial.kinds)) for trial in tried)):
-            tried += self._helpful(body, moves, double)
-            sound = self._sound(tried, body, moves)
+            tried += self._helpful(body, double)
+            sound = self._sound(tried, body)
         else:
             why = self._not_taken[self.scenario.names[body]]
             why |= {kinds: phrase("action_plan.pair_not_tried") for kinds in double if kinds not in why}
         return tried, sound
 
-    def _sound(self, tried: Iterable[Trial], body: int, moves: tuple[Change, ...]) -> Fix | None:
-        """Return the best measures that clearly help and are not too weak where the piece will stand."""
+    def _sound(self, tried: Iterable[Trial], body: int) -> Fix | None:
+        """Return the best measures that clearly help and are not too weak."""
         why = self._not_taken[self.scenario.names[body]]
         for trial in sorted(tried, key=merit)[:CANDIDATES]:
-            full = self._in_full(trial, body, moves)
+            full = self._in_full(trial, body)
             self._clear[body, trial.kinds] = full.effect.helps
-            if full.effect.helps and (fix := self._fitted(full, body, moves)).sound:
+            if full.effect.helps and (fix := self._fitted(full, body)).sound:
                 return fix
             why[trial.kinds] = why_not(full, full) if full.effect.helps else phrase("action_plan.no_gain")
         return None
 
-    def _in_full(self, trial: Trial, body: int, moves: tuple[Change, ...]) -> Trial:
+    def _in_full(self, trial: Trial, body: int) -> Trial:
         """Return a trial in all runs of the plan, with as many devices as are needed."""
-        return self._trial(body, self._in_number(body, trial.measures, moves), PLAN_RUNS)
+        return self._trial(body, self._in_number(body, trial.measures), PLAN_RUNS)
 
-    def _helpful(self, body: int, moves: tuple[Change, ...], sets: Sequence[tuple[str, ...]]) -> list[Trial]:
+    def _helpful(self, body: int, sets: Sequence[tuple[str, ...]]) -> list[Trial]:
         """Run sets of measures on a piece; return those that help and can be put on it where it will be."""
         bare, helpful = self._trial(body, ()), list[Trial]()
         why = self._not_taken[self.scenario.names[body]]
         for kinds in sets:
             measures = measures_for(kinds, self.scene, body)
-            refused = self._refused(body, measures, ()) or self._refused(body, measures, moves)
+            refused = self._refused(body, measures)
             if refused is not None:
                 why[kinds] = refused
                 continue
@@ -388,69 +381,43 @@ class _Planner:
         nothing = replace(none, estimate=0.0, low=0.0, fell=0)
         return max(failed, key=lambda chance: chance.estimate, default=nothing)
 
-    def _refused(self, body: int, measures: tuple[Measure, ...], moves: tuple[Change, ...]) -> Phrase | None:
-        """Return why measures cannot be put on a piece; None where they can."""
+    def _refused(self, body: int, measures: tuple[Measure, ...]) -> Phrase | None:
+        """Return why measures cannot be put on a piece where it stands, or is to stand; None if they can."""
         room = self.scenario.room.room()
         for measure in measures:
             if (why := measure.advised_against(room)) is not None:
                 return why
         try:
-            refuse_unheld(self.runner.scene(self._with([*moves, *self._on(body, measures)])), body)
+            for moves in ((), self.moves):
+                refuse_unheld(self.runner.scene(self._with([*moves, *self._on(body, measures)])), body)
         except InputError as error:
             sentence = error.told("en").removesuffix("."), error.told("ja").removesuffix("。")
             return phrase("action_plan.not_possible", why=sentence)
         return None
 
-    def _in_number(
-        self, body: int, measures: tuple[Measure, ...], moves: tuple[Change, ...]
-    ) -> tuple[Measure, ...]:
+    def _in_number(self, body: int, measures: tuple[Measure, ...]) -> tuple[Measure, ...]:
         """Return measures with as many devices as their fixing asks for, where the studs allow it."""
         if not any(measure.drilled for measure in measures):
             return measures
-        length, moved = self.scene.pieces[body].body.length or 0.0, self._moved(body, moves)
-        purchases = purchases_of(self.runner, self._with([*moved, *self._on(body, measures)]), measures, body)
+        length = self.scene.pieces[body].body.length or 0.0
+        purchases = purchases_of(self.runner, self._with(self._on(body, measures)), measures, body)
         fitted = tuple(in_number(purchase, length) for purchase in purchases)
-        return measures if any(self._refused(body, fitted, way) for way in ((), moves)) else fitted
+        return measures if self._refused(body, fitted) else fitted
 
-    def _moved(self, body: int, moves: tuple[Change, ...]) -> tuple[Change, ...]:
-        return tuple(move for move in moves if move.what == self.scenario.names[body])
+    def _fitted(self, tried: Trial, body: int) -> Fix:
+        """Return measures as they are bought.
 
-    def _fitted(self, tried: Trial, body: int, moves: tuple[Change, ...]) -> Fix:
-        """Return measures as they are bought, where the piece will stand."""
-        measures, moved = tried.measures, self._moved(body, moves)
-        option = self._with([*moved, *self._on(body, measures)])
-        purchases = purchases_of(self.runner, option, measures, body)
-        overturns, gives_way, scene = tried.overturns, tried.gives_way, self.runner.scene(option)
-        if moved:
-            effect = self._effect([*moved, *self._on(body, measures)])
-            overturns = effect.pieces[body].probabilities[OVERTURNED]
-            gives_way = self._gives_way(effect, body)
+        They are run where the piece stands: another direction of shaking tells as much as new draws.
+        """
+        on = self._on(body, tried.measures)
+        purchases = purchases_of(self.runner, self._with(on), tried.measures, body)
+        moved = [move for move in self.moves if move.what == self.scenario.names[body]]
+        scene = self.runner.scene(self._with([*moved, *on]))
         in_place = placed(scene)[body].held
         assert in_place is not None
         cautions = tuple(
-            caution for measure in measures for caution in measure.cautions(in_place.body, in_place.room)
+            caution
+            for measure in tried.measures
+            for caution in measure.cautions(in_place.body, in_place.room)
         )
-        enough_to = self._enough_to(option, purchases, body)
-        return Fix(scene, body, purchases, tried.effect, overturns, gives_way, cautions, enough_to)
-
-    def _enough_to(self, option: Option, purchases: tuple[Purchase, ...], body: int) -> float | None:
-        """Return the JMA intensity, a class's middle, for which what is too weak here is strong enough.
-
-        The classes are the ground's: under motions of upper floors there is none.
-        """
-        runner = self.runner
-        if runner.floors.floor or all(purchase.enough for purchase in purchases):
-            return None
-        measures = tuple(purchase.measure for purchase in purchases)
-        now, limit = runner.floors.median_intensity, runner.settings.slide_limit
-        for level in (intensity_of_class(name) for name in WEAKER_CLASSES):
-            if level < now:
-                if level not in self._weaker:
-                    factor = factor_to_intensity(now, level)
-                    self._weaker[level] = OptionRunner(
-                        self.scenario, limit, runner.threads, shaking_factor=factor, advance=runner.advance
-                    )
-                weaker = self._weaker[level]
-                if all(purchase.enough for purchase in purchases_of(weaker, option, measures, body)):
-                    return level
-        return None
+        return Fix(scene, body, purchases, tried.effect, tried.overturns, tried.gives_way, cautions)

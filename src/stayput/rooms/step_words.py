@@ -84,14 +84,10 @@ def checks(fix: Fix) -> list[Phrase]:
 
 
 def not_strong_enough(fix: Fix, plan: ActionPlan) -> tuple[Phrase, Phrase] | None:
-    """Return that a fix is too weak or has no reserve, what it bears and up to which shaking, if it is so."""
+    """Return that a fix is too weak or has no reserve, and what it bears, if it is so."""
     if fix.enough:
         return None
     sentences = [_bears(purchase) for purchase in fix.purchases if not purchase.enough]
-    if fix.enough_to is None:
-        sentences.append(phrase("action_plan.weak_anywhere"))
-    else:
-        sentences.append(phrase("action_plan.weak_to", strength=class_phrase(fix.enough_to)))
     key = "action_plan.weak" if fix.too_weak else "action_plan.no_reserve"
     strength = class_phrase(plan.verdict.intensity, plan.verdict.floor)
     weak = phrase(key, strength=strength, in_runs=in_runs(fix))

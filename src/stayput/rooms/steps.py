@@ -190,14 +190,11 @@ class Fix:
     alone : OptionVerdict
         What they bring by themselves, with everything where it is.
     overturns : Probability
-        That the piece overturns with them where it is to stand.
+        That the piece overturns with them.
     gives_way : Probability
-        That the weakest of their devices fails there.
+        That the weakest of their devices fails.
     cautions : tuple of Phrase
         Why they may not do much, each as a clause.
-    enough_to : float or None
-        JMA intensity, the middle of a class, up to which they are strong enough, where they are not for the
-        shaking of the plan; None if they are, or if they are too weak for a class 4 too.
     """
 
     scene: Scene
@@ -207,7 +204,6 @@ class Fix:
     overturns: Probability
     gives_way: Probability
     cautions: tuple[Phrase, ...]
-    enough_to: float | None = None
 
     @property
     def piece(self) -> Piece:

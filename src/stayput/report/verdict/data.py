@@ -169,7 +169,6 @@ def _fix(fix: Fix) -> dict[str, Any]:
         "gives_way": interval_data(fix.gives_way),
         "alone": _effect(fix.alone),
         **attributes(fix, "enough", "too_weak"),
-        "enough_to_jma": None if fix.enough_to is None else number(fix.enough_to),
         "cautions": [list(caution) for caution in fix.cautions],
         "buy": [
             {
