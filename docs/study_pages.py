@@ -71,7 +71,7 @@ def write(folder: Path) -> None:
         "inside": (studies.contents,),
         "fallen": (studies.tombstones,),
         "plane_or_space": (studies.three_dimensions,),
-        "intervals": (studies.interval_coverage,),
+        "intervals": (studies.races,),
     }
     motions = {studies.wall_gap_record: record, studies.tokyo: three, studies.contents: three}
     claims: list[dict[str, str]] = []

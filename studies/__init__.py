@@ -12,7 +12,7 @@ from studies.consumer_centre import consumer_centre
 from studies.contents import contents
 from studies.critical_ratio import critical_ratio
 from studies.friction import friction
-from studies.interval_coverage import interval_coverage
+from studies.races import races
 from studies.study import Study
 from studies.three_dimensions import three_dimensions
 from studies.tokyo import tokyo
@@ -26,6 +26,6 @@ PAPER: Studies = (friction, critical_ratio, wall_gap, wall_gap_record)
 """The sections of the paper: 4.2, 4.3 with Eq. 4.1, 4.4, and 4.5 with Table 4.3."""
 
 EVIDENCE: Studies = (
-    *(tokyo, consumer_centre, baseline, capacity, contents, tombstones, three_dimensions, interval_coverage),
+    *(tokyo, consumer_centre, baseline, capacity, contents, tombstones, three_dimensions, races),
 )
 """What tests, surveys and formulas say, beside stayput; the plane beside space; how often intervals hold."""

@@ -94,7 +94,7 @@ def test_curves_on_one_axes_differ_and_share_the_legend(ax: Axes):
     colours = {line.get_color() for line in ax.lines if len(line.get_xdata()) > 100}
     assert len(colours) == 2
     texts = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert texts[0].startswith("bookcase (half fall: 4.08")
+    assert texts[0].startswith("bookcase (half fall: 4.04")
     assert texts[1] == "again"
     with pytest.raises(sp.InputError, match="JMA"):
         sp.FragilityCurve("other", sp.Trials.from_counts(JMA_INTENSITY, [5.0, 6.0], [4, 19], [40, 40])).plot(

@@ -32,7 +32,7 @@ COARSE = {
     "capacity": {"motions": 4, "corners": (0.4, 1.6), "sizes": ("chest", "cupboard"), "step": 0.1},
     "contents": {"motion": RECORD, "intensities": [6.0]},
     "tombstones": {"motions": 4, "stones": 4},
-    "interval_coverage": {"studies": 20, "motions": [8], "draws": [2], "probabilities": [0.05, 0.5]},
+    "races": {"count": 1},
     "three_dimensions": {"motions": 1, "headings": [0.0]},
 }
 """Coarse grids and few runs of each study."""

@@ -34,11 +34,11 @@ HALF_WIDTHS = {2: 0.10, 3: 0.16}
 
 A run in the plane takes a tenth of the time of one in space."""
 
-HELPS, CONTENDS, CONTENDER = 0.1, 0.15, 0.8
+HELPS, CONTENDS, CONTENDER = 0.1, 0.15, 0.6
 """How much less often the best overturns than without anything, and than what may be as good; its factor.
 
 Where something helps, the options between which it is open are known better than others: else what is told as
-the best is more than 5 points worse than the best in one of twelve races."""
+the best is more than 5 points worse than the best in one of sixteen races."""
 
 RUNNER_UP, BEATEN = 1.25, 1.9
 """Factors on the half-width for other options: those that may still be the best, and those that cannot be."""
