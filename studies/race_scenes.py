@@ -156,7 +156,8 @@ def record(stated: dict[str, Any] | Path) -> dict[str, Any]:
 def main() -> None:
     """Run scenes, and add them to those that are recorded."""
     for name in sys.argv[1:] or [*SEEN, *UNSEEN]:
-        recorded = dict(np.load(RECORDED)) if RECORDED.exists() else {"names": np.array([], str)}
+        empty: dict[str, Any] = {"names": np.array([], str)}
+        recorded: dict[str, Any] = dict(np.load(RECORDED)) if RECORDED.exists() else empty
         if name in recorded["names"] and not sys.argv[1:]:
             continue
         print(name, flush=True)

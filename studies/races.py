@@ -25,6 +25,7 @@ from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.fragility.probabilities import Probability, probability, probability_of_counts
 from stayput.fragility.trials import Trials
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
+from stayput.mechanics.devices.columns import DEVICE
 from stayput.montecarlo.counting import OFFSETS, SLIDE_LIMIT, Members
 from stayput.montecarlo.runs import Runs
 from stayput.verification.people import events_of
@@ -91,7 +92,7 @@ class Scene:
         options, motions, draws = self.fell.shape
         members = Members.in_turn(motions, motions * draws, beside=not self.in_room)
         stated = members.level.reshape(draws, motions).T == 0
-        reads = (self.energy > 0.0).any(axis=-1) if self.in_room else self.fell
+        reads: NDArray[np.bool_] = np.any(self.energy > 0.0, axis=-1) if self.in_room else self.fell
         runs, none = stated.sum(axis=1), np.zeros(motions)
         return [
             probability_of_counts((reads[option] & stated).sum(axis=1), runs, none)
@@ -132,9 +133,8 @@ class Replayed:
     in_plane = False
 
     def __init__(self, scene: Scene, motions: NDArray[np.intp]) -> None:
-        self.fell, self.slid, self.energy = (
-            each[:, motions] for each in (scene.fell, scene.slid, scene.energy)
-        )
+        self.fell, self.slid = scene.fell[:, motions], scene.slid[:, motions]
+        self.energy = scene.energy[:, motions]
         self.members = Members.in_turn(MOTIONS, 3 * MOTIONS // 2, beside=not scene.in_room)
         places = [SimpleNamespace(day=1.0, night=1.0)] * scene.energy.shape[-1]
         self._plan = SimpleNamespace(places=places) if scene.in_room else None
@@ -151,15 +151,30 @@ class Replayed:
 
     def _runs(self, number: int, members: Members) -> Runs:
         at, n = (number, members.motion, members.sample), len(members)
-        no, zero, none = np.zeros(n, np.bool_), np.zeros(n), np.zeros((n, 0))
         energy = self.energy[at][:, :, np.newaxis]
-        hits = np.stack([0.0 * energy, 0.0 * energy, energy, np.ones_like(energy)], axis=-1)
+        slide: NDArray[np.float64] = np.where(self.slid[at], 2.0 * SLIDE_LIMIT, 0.0)
+        hits: NDArray[np.float64] = np.stack([energy, energy, energy, np.ones_like(energy)], axis=-1)
         hits[energy == 0.0] = np.nan
         results = np.zeros((n, 1), RESULT)
         results["outcome"] = OVERTURNED_OUTCOME  # a place without energy is hit by nothing
-        outcomes = members, self.fell[at], no, no, no, self.slid[at] * 2.0 * SLIDE_LIMIT, zero
-        doors, tracks = none.astype(np.bool_), none.astype(object)
-        return Runs(*outcomes, none, none, zero, results, hits, doors, doors, tracks)
+        no, nothing = np.zeros(n, np.bool_), np.zeros((n, 0))
+        return Runs(
+            members=members,
+            overturned=self.fell[at],
+            missing=no,
+            hit_wall=no,
+            device_failed=no,
+            slide=slide,
+            tilt=np.zeros(n),
+            devices=np.zeros((n, 0), DEVICE),
+            used=nothing,
+            masses=np.zeros(n),
+            results=results,
+            hits=hits,
+            blocked=nothing.astype(np.bool_),
+            shut_in=nothing.astype(np.bool_),
+            tracks=nothing.astype(object),
+        )
 
 
 class Told(NamedTuple):
@@ -223,7 +238,8 @@ def scenes(recorded: Path = RECORDED) -> list[Scene]:
             Scene(
                 str(name),
                 bool(file[f"{name}/seen"]),
-                *(_unpacked(file[f"{name}/{of}"], file[f"{name}/shape"]) for of in ("fell", "slid")),
+                _unpacked(file[f"{name}/fell"], file[f"{name}/shape"]),
+                _unpacked(file[f"{name}/slid"], file[f"{name}/shape"]),
                 file[f"{name}/energy"].astype(np.float64),
                 file[f"{name}/beside"],
             )
@@ -255,16 +271,17 @@ def races(count: int = 40, *, names: Sequence[str] = ()) -> Study:
     def percent(of: str, some: Iterable[Scene]) -> float:
         return 100.0 * share(of, some)
 
+    runs = [float(np.mean([race.runs for race in told[scene]])) for scene in chosen]
     rows = [
         {
             "scene": scene.name,
             "looked at": "before" if scene.seen else "at the end",
             "options": len(scene.fell),
             "without anything [%]": 100.0 * scene.truth[0].estimate,
-            "runs": float(np.mean([race.runs for race in told[scene]])),
+            "runs": count_of_runs,
             **{f"{of} [%]": percent(of, [scene]) for of in AIMS},
         }
-        for scene in chosen
+        for scene, count_of_runs in zip(chosen, runs, strict=True)
     ]
     figure, (axes,) = panels(1, width=7.0, height=0.8 + 0.28 * len(chosen))
     for of, colour, mark in zip(AIMS, COLOURS, "os^D", strict=False):
@@ -282,7 +299,7 @@ def races(count: int = 40, *, names: Sequence[str] = ()) -> Study:
         title="Races of options, beside 800 runs of each",
         quantities={
             "scenes": Quantity("Scenes", float(len(chosen)), form=".0f"),
-            "runs": Quantity("Runs of a race", float(np.mean([row["runs"] for row in rows])), form=".0f"),
+            "runs": Quantity("Runs of a race", float(np.mean(runs)), form=".0f"),
             "intervals": Quantity("Intervals that hold [%]", percent("intervals", chosen), "93 to 98", ".1f"),
             "late": Quantity(
                 "Of scenes looked at only at the end [%]", percent("intervals", late), form=".1f"

@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from functools import cache, partial
+from functools import cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -209,7 +209,7 @@ def intensity_from_fallen(
     drawn = draws(len(suite), count, number)
     cases = [rows_of(kind.body, kind.room, (), drawn, STANDARD_GRAVITY) for kind in kinds]
     scaled_motions = ScaledMotions(suite, vertical=vertical)
-    falls = run_levels(cases, rows, cache(partial(scaled_motions.at, threads=threads)), threads=threads)
+    falls = run_levels(cases, rows, cache(scaled_motions.at), threads=threads)
     fell = np.array([(kind.overturned & ~kind.missing).sum(axis=2) for kind in falls], np.float64)
     runs = np.array([(~kind.missing).sum(axis=2) for kind in falls], np.float64)
     return estimate_from_counts(

@@ -166,7 +166,7 @@ def test_a_verification_is_done_as_a_job(client: httpx.Client) -> None:
     ranks = [one["rank"] for one in verdict["options"]]
     assert (len(ranks), ranks[0], ranks) == (4, 1, sorted(ranks))
     without = next(one for one in verdict["options"] if one["name"] == "none")
-    assert without["probabilities"]["overturned"]["estimate"] > 0.9
+    assert without["probabilities"]["overturned"]["estimate"] > 0.8
     assert next(one for one in verdict["options"] if one["yours"])["measures"] == own
     for one in verdict["options"]:
         assert one["reason"]["en"]

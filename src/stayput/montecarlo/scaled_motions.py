@@ -3,15 +3,15 @@
 A level says how strong the ground shakes: a JMA intensity, or the common logarithm of a spectral
 acceleration [g] or of a peak [m/s², m/s], to which each motion is scaled. A scenario may also state a peak,
 and a scatter. Without a building, or in one that stays elastic, the floor's motion scales with the ground's;
-where storeys yield it does not, and is computed anew at each level.
+where storeys yield it does not, and is computed at each level at which it is asked for.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
-from typing import TYPE_CHECKING
+from functools import cache, cached_property, partial
+from typing import TYPE_CHECKING, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,12 +22,12 @@ from stayput.model.parameters import STANDARD_GRAVITY
 from stayput.motion.floors import of_the_ground
 from stayput.motion.ground_shaking import GroundStrength, horizontal_peak, horizontal_sa, larger_peak
 from stayput.motion.intensity import factor_to_intensity, mercalli_beyond
+from stayput.motion.record import Motion
 from stayput.simulation.many import plane_shaking
 
 if TYPE_CHECKING:
     from stayput.mechanics.runner import Shaking
     from stayput.montecarlo.counting import Members
-    from stayput.motion.record import Motion
     from stayput.motion.suites.suite import Suite
     from stayput.scenario import Scenario
     from stayput.scenario.tables import BuildingTable
@@ -75,18 +75,50 @@ class PreparedFloor:
         return cls(tuple(map(plane_shaking, motions)), scales)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+class ComputedMotions(Sequence[Motion]):
+    """Motions that are computed where they are first asked for, and then stay.
+
+    Parameters
+    ----------
+    calls : sequence of callable
+        Each returns a motion.
+    """
+
+    def __init__(self, calls: Sequence[Callable[[], Motion]]) -> None:
+        self._calls = [cache(call) for call in calls]
+
+    def __len__(self) -> int:
+        return len(self._calls)
+
+    @overload
+    def __getitem__(self, place: int) -> Motion: ...
+    @overload
+    def __getitem__(self, place: slice) -> ComputedMotions: ...
+    def __getitem__(self, place: int | slice) -> Motion | ComputedMotions:
+        """Return a motion, or some of them, which are not computed yet."""
+        return ComputedMotions(self._calls[place]) if isinstance(place, slice) else self._calls[place]()
+
+    @classmethod
+    def joined(cls, parts: Iterable[Sequence[Motion]]) -> Sequence[Motion]:
+        """Return the motions of several parts, none of them computed for that."""
+        each = [*parts]
+        if any(isinstance(part, ComputedMotions) for part in each):
+            return cls([partial(part.__getitem__, place) for part in each for place in range(len(part))])
+        return tuple(motion for part in each for motion in part)
+
+
+@dataclass(frozen=True, eq=False)
 class FloorMotions:
     """The motions under the furniture at one level, or at several, one level after the other.
 
     Parameters
     ----------
-    motions : tuple of Motion
+    motions : sequence of Motion
         The floor's motions: x; y, where pieces are run in space; and z, where it acts.
     scales : ndarray, shape (motions,)
         Factors on them.
-    measures : dict
-        Each intensity measure of each motion, shape (motions,).
+    of_ground : dict
+        Each intensity measure of the ground under each motion, shape (motions,).
     floor : str
         The upper floors that the motions were stated for, if they are not of the ground: intensities are
         then by the formula alone, and there is no PGA and no PGV.
@@ -94,9 +126,9 @@ class FloorMotions:
         How many levels there are.
     """
 
-    motions: tuple[Motion, ...]
+    motions: Sequence[Motion]
     scales: NDArray[np.float64]
-    measures: dict[IntensityMeasure, NDArray[np.float64]]
+    of_ground: dict[IntensityMeasure, NDArray[np.float64]]
     floor: str = ""
     levels: int = 1
 
@@ -104,12 +136,23 @@ class FloorMotions:
     def joined(cls, levels: Sequence[FloorMotions]) -> FloorMotions:
         """Return the motions of several levels."""
         return cls(
-            tuple(motion for each in levels for motion in each.motions),
+            ComputedMotions.joined(each.motions for each in levels),
             np.concatenate([each.scales for each in levels]),
-            {im: np.concatenate([each.measures[im] for each in levels]) for im in levels[0].measures},
+            {im: np.concatenate([each.of_ground[im] for each in levels]) for im in levels[0].of_ground},
             levels[0].floor,
             len(levels),
         )
+
+    @cached_property
+    def measures(self) -> dict[IntensityMeasure, NDArray[np.float64]]:
+        """Each intensity measure of each motion, of the ground and of the floor, shape (motions,)."""
+        known: dict[int, tuple[float, float]] = {}  # several levels may have one motion
+        for motion in self.motions:
+            if id(motion) not in known:
+                known[id(motion)] = larger_peak(motion, "PGA"), larger_peak(motion, "PGV")
+        pfa, pfv = np.array([known[id(motion)] for motion in self.motions]).T * np.abs(self.scales)
+        usual = {im: self.of_ground[im] for im in (JMA_INTENSITY, PGA, PGV) if im in self.of_ground}
+        return usual | {PFA: pfa, PFV: pfv} | self.of_ground
 
     @property
     def each(self) -> int:
@@ -123,7 +166,7 @@ class FloorMotions:
     @property
     def median_intensity(self) -> float:
         """Median JMA intensity of the ground."""
-        return float(np.median(self.measures[JMA_INTENSITY]))
+        return float(np.median(self.of_ground[JMA_INTENSITY]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -263,70 +306,69 @@ class ScaledMotions:
         return list(zip(*by_motion, strict=True)), factors
 
     @cached_property
-    def _elastic(self) -> tuple[Motion, ...]:
+    def _elastic(self) -> Sequence[Motion]:
         """The floor's motions where they scale with the ground's."""
         return self.floors(self.building, (self.storey,), np.ones(len(self.ground)))[0][0]
 
     @cached_property
-    def _ground_peaks(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        return _peaks(self.acting)
+    def _ground_peaks(self) -> dict[IntensityMeasure, NDArray[np.float64]]:
+        """PGA and PGV of the motions, of the larger component each."""
+        return {
+            PGA: np.array([larger_peak(motion, "PGA") for motion in self.acting]),
+            PGV: np.array([larger_peak(motion, "PGV") for motion in self.acting]),
+        }
 
-    @cached_property
-    def _elastic_peaks(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        return _peaks(self._elastic)
-
-    def at(self, intensity: float, threads: int | None = None) -> FloorMotions:
+    def at(self, intensity: float) -> FloorMotions:
         """Return the motions under the furniture with the ground at a JMA intensity.
 
         Parameters
         ----------
         intensity : float
             The level.
-        threads : int, optional
-            As many as there are cores by default. The bits do not depend on them.
 
         Raises
         ------
         InputError
             A still motion.
         """
-        return self._with(self.factors(intensity), threads)
+        return self._with(self.factors(intensity))
 
     def stated(
-        self,
-        strength: GroundStrength | None,
-        scale: float | None,
-        seed: int,
-        threads: int | None = None,
-        times: float = 1.0,
+        self, strength: GroundStrength | None, scale: float | None, seed: int, times: float = 1.0
     ) -> FloorMotions:
         """Return the motions at so many times the shaking that a scenario states; see `stated_factors`."""
-        return self._with(times * self.stated_factors(strength, scale, seed), threads)
+        return self._with(times * self.stated_factors(strength, scale, seed))
 
-    def stated_by(self, scenario: Scenario, threads: int | None = None, times: float = 1.0) -> FloorMotions:
+    def stated_by(self, scenario: Scenario, times: float = 1.0) -> FloorMotions:
         """Return the same as a scenario states it, refused with its file's name."""
         shaking, seed = scenario.shaking, scenario.uncertainty.seed
         with scenario.naming_file("shaking"):
             if shaking.scale == 0.0:
                 raise InputError("motion.still_floor", "shaking.scale")
-            return self.stated(shaking.strength, shaking.scale, seed, threads, times)
+            return self.stated(shaking.strength, shaking.scale, seed, times)
 
-    def _with(self, factors: NDArray[np.float64], threads: int | None) -> FloorMotions:
+    def _with(self, factors: NDArray[np.float64]) -> FloorMotions:
+        motions, scales = self._elastic, factors
         if self.building is not None and self.building.yields:
-            (motions,), scales = self.floors(self.building, (self.storey,), factors, threads)
-            pfa, pfv = _peaks(motions)
-        else:
-            motions, scales = self._elastic, factors
-            pfa, pfv = self._elastic_peaks
+            motions, scales = self._yielding(self.building, factors), np.ones(len(factors))
         measures = {JMA_INTENSITY: self.intensities(factors)}
         if not self.ground.floor:
-            pga, pgv = self._ground_peaks
-            measures |= {PGA: np.abs(factors) * pga, PGV: np.abs(factors) * pgv}
-        measures |= {PFA: np.abs(scales) * pfa, PFV: np.abs(scales) * pfv}
+            measures |= {im: np.abs(factors) * peaks for im, peaks in self._ground_peaks.items()}
         for measure in self.further:
-            if measure not in measures:
+            if measure not in measures and measure not in (PFA, PFV):
                 measures[measure] = self._further(measure, np.abs(factors))
         return FloorMotions(motions, scales, measures, self.ground.floor)
+
+    def _yielding(self, building: BuildingTable, factors: NDArray[np.float64]) -> ComputedMotions:
+        """Return the floor's motions in a building that yields under the ground's motions times factors."""
+
+        def floor_of(motion: Motion, factor: float) -> Motion:
+            grounds = (motion.scaled(factor),)
+            ((floor,),) = building.building().floor_motions(grounds, (self.storey,), threads=1)
+            return floor
+
+        of_motions = zip(self.acting, factors.tolist(), strict=True)
+        return ComputedMotions([partial(floor_of, motion, factor) for motion, factor in of_motions])
 
     @cached_property
     def _horizontal_peaks(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -345,9 +387,3 @@ class ScaledMotions:
             return factors * self._spectral[measure.period]
         pga, pgv = self._horizontal_peaks
         return np.array([mercalli_beyond(k * a, k * v) for k, a, v in zip(factors, pga, pgv, strict=True)])
-
-
-def _peaks(motions: tuple[Motion, ...]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the peaks of acceleration [m/s²] and velocity [m/s] of motions, of the larger component each."""
-    pga, pgv = ([larger_peak(motion, name) for motion in motions] for name in ("PGA", "PGV"))
-    return np.array(pga), np.array(pgv)

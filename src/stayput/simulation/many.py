@@ -191,8 +191,12 @@ def run_columns(
         Elements that are not possible.
     """
     rows = np.zeros((len(cases), 0), ELEMENT) if elements is None else elements
-    prepared = {int(n): plane_shaking(motions[int(n)]) for n in np.unique(motion)}
+    used: list[int] = np.unique(motion).tolist()
+    prepared: dict[int, Shaking] = {}
     results, devices = np.zeros(len(cases), RESULT), np.zeros(rows.shape, DEVICE)
+
+    def shaking_of(number: int) -> Shaking:
+        return plane_shaking(motions[number])
 
     def run(chunk: NDArray[np.intp]) -> int:
         shaken = prepared[int(motion[chunk[0]])]
@@ -200,6 +204,8 @@ def run_columns(
         return len(chunk)
 
     with Pool(threads) as pool:
+        made = pool.in_order(partial(shaking_of, number) for number in used)
+        prepared |= zip(used, made, strict=True)
         for _, done in pool.as_completed(partial(run, chunk) for chunk in _chunks(motion)):
             if on_progress is not None:
                 on_progress(done)

@@ -8,6 +8,9 @@ from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.measures import Element, hold
 from stayput.mechanics.runner import shaking, trace
 from stayput.model.flat_fields import case_columns
@@ -23,7 +26,6 @@ from stayput.simulation.space import warn_of_settlement
 from stayput.verification.events import RoomEventDetector
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import NDArray
 
     from stayput.model.floor_plan import FloorPlan
@@ -103,8 +105,8 @@ def _kept_library(scenario: Scenario, floors: FloorMotions) -> Library:
     It is kept as long as the scenario is, and that of one room alone: it takes hundreds of megabytes.
     """
     for of, library in _latest[:]:  # at once, as other threads may verify other rooms
-        under = library.floors
-        if of() is scenario and under.motions == floors.motions and (under.scales == floors.scales).all():
+        under, now = (each.of_ground[JMA_INTENSITY] for each in (library.floors, floors))
+        if of() is scenario and np.array_equal(under, now):
             return library
     library = Library(scenario, floors)
     _latest[:] = [(weakref.ref(scenario, lambda _: library.clear()), library)]
@@ -161,11 +163,11 @@ class OptionRunner:
     ) -> None:
         self.scenario, self.threads, self.advance = scenario, threads, advance
         motions = scaled_motions or ScaledMotions.of(scenario)
-        self.floors = motions.stated_by(scenario, threads, shaking_factor)
+        self.floors = motions.stated_by(scenario, shaking_factor)
         self.settings = Settings.of(scenario, len(self.floors.motions), slide_limit)
         factors = [10.0 ** (0.5 * offset) for offset in OFFSETS[1:] if beside]
-        nearby = [motions.stated_by(scenario, threads, shaking_factor * factor) for factor in factors]
-        further = [motions.at(float(level), threads) for level in levels]
+        nearby = [motions.stated_by(scenario, shaking_factor * factor) for factor in factors]
+        further = [motions.at(float(level)) for level in levels]
         self.all_floors = FloorMotions.joined([self.floors, *nearby, *further])
         self.members = Members.in_turn(self.settings.motions, self.settings.runs, beside=beside)
         self.detector = RoomEventDetector()
