@@ -31,7 +31,7 @@ def test_curves_with_and_without_a_median_are_drawn(tmp_path: Path) -> None:
     (axis,) = figure.axes
     told = [text.get_text() for text in figure.legends[0].get_texts()]
     assert told[0].startswith("bare (half fall: 5.6")
-    assert told[1] == "bracket (half fall: > 7.00)"
+    assert told[1] == "bracket (half fall: > 7.03)"
     assert told[2] == "this shaking: 6.25"
     assert len(axis.collections) >= 3  # a band, and bars of both
     assert {"5-upper", "6-lower", "6-upper"} <= {text.get_text() for text in axis.texts}
