@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 BODY = sp.Body(0.3, 1.8, 90.0, cg_offset=(0.02, -0.1))
 ROOM = sp.Room(sp.Floor.of("carpet"), left_wall=sp.Wall(0.02), ceiling=sp.Ceiling(2.4))
+SHAKING: dict[str, Any] = {"intensity": "6-upper", "suite": {"count": 4}}
 MOTION = sp.near_fault()
 SUITE = sp.synthetic_suite("crustal", 3)
 BUILDING = sp.Building(5, "RC")
@@ -32,7 +33,7 @@ CURVE = sp.FragilityCurve("bookcase", sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0]
 
 @pytest.fixture(scope="module")
 def verdict() -> sp.Verdict:
-    return sp.verify(BODY, ROOM, shaking="6-upper", measures=[LBracket()], samples=8, progress=False)
+    return sp.verify(BODY, ROOM, shaking=SHAKING, measures=[LBracket()], samples=8, progress=False)
 
 
 @pytest.fixture

@@ -12,6 +12,7 @@ from stayput.measures import LBracket
 
 BODY = sp.Body(0.3, 1.8, 90.0)
 ROOM = sp.Room(sp.Floor.of("carpet"), left_wall=sp.Wall(0.02))
+SHAKING: dict[str, Any] = {"intensity": "6-upper", "suite": {"count": 4}}
 
 
 @pytest.fixture(scope="module")
@@ -21,9 +22,7 @@ def run() -> sp.Run:
 
 @pytest.fixture(scope="module")
 def verdict() -> sp.Verdict:
-    return sp.verify(
-        BODY, ROOM, shaking="6-upper", measures=[LBracket()], samples=8, levels=[], progress=False
-    )
+    return sp.verify(BODY, ROOM, shaking=SHAKING, measures=[LBracket()], samples=8, levels=[], progress=False)
 
 
 @pytest.mark.parametrize("value", [BODY, ROOM, ROOM.floor, ROOM.left_wall, sp.State(tilt=0.1), sp.Room()])
