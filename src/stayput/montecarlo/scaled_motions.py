@@ -348,9 +348,10 @@ class ScaledMotions:
             return self.stated(shaking.strength, shaking.scale, seed, times)
 
     def _with(self, factors: NDArray[np.float64]) -> FloorMotions:
-        motions, scales = self._elastic, factors
         if self.building is not None and self.building.yields:
             motions, scales = self._yielding(self.building, factors), np.ones(len(factors))
+        else:
+            motions, scales = self._elastic, factors
         measures = {JMA_INTENSITY: self.intensities(factors)}
         if not self.ground.floor:
             measures |= {im: np.abs(factors) * peaks for im, peaks in self._ground_peaks.items()}
