@@ -281,7 +281,7 @@ def run_baselines(rows: Sequence[Rows], scaled_motions: ScaledMotions) -> xr.Dat
     falls = run_levels(rows, LEVELS, floors_at)
     medians: list[list[float]] = []
     for im in (PFV, JMA_INTENSITY):
-        strength = np.stack([floors_at(float(level)).measures[im] for level in LEVELS])
+        strength = np.stack([floors_at(float(level)).values(im) for level in LEVELS])
         trials = [Trials.from_runs(im, strength, one.overturned, one.missing) for one in falls]
         medians.append([FragilityCurve("", one).capacity(0.5).estimate for one in trials])
     shares = np.stack([one.overturned.mean(axis=(1, 2)) for one in falls])

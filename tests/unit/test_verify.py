@@ -206,12 +206,12 @@ def test_the_ground_has_the_level_and_the_floor_follows(building):
     shaking = scenario(shaking=keys).shaking
     scaled_motions = ScaledMotions(shaking.ground(Path()), shaking.building, shaking.storey or 1)
     floors = scaled_motions.at(5.5)
-    assert floors.measures[JMA_INTENSITY] == pytest.approx(np.full(3, 5.5), abs=1e-12)
+    assert floors.values(JMA_INTENSITY) == pytest.approx(np.full(3, 5.5), abs=1e-12)
     wanted = scenario(shaking={**keys, "intensity": 5.5}).shaking.motions(Path())
     for number in range(3):
         x = floors.scales[number] * floors.motions[number].x
         assert x == pytest.approx(wanted[number].x, rel=1e-9, abs=1e-9)
-    assert floors.measures[PGA] == pytest.approx([m.to_intensity(5.5).pga for m in scaled_motions.ground])
+    assert floors.values(PGA) == pytest.approx([m.to_intensity(5.5).pga for m in scaled_motions.ground])
 
 
 def test_peaks_are_of_the_larger_component_that_acts_and_nothing_where_none_does():
@@ -221,8 +221,8 @@ def test_peaks_are_of_the_larger_component_that_acts_and_nothing_where_none_does
     upward = sp.Motion(0.01, 0.0 * small, z=large)
     for dimensions, pga in ((3, 3.0), (2, 1.0)):
         floors = ScaledMotions(sp.Suite((across,)), dimensions=dimensions).at(4.0)
-        assert floors.measures[PGA] == pytest.approx(pga * floors.scales)
-    assert ScaledMotions(sp.Suite((upward,))).at(4.0).measures[PGA] == [0.0]
+        assert floors.values(PGA) == pytest.approx(pga * floors.scales)
+    assert ScaledMotions(sp.Suite((upward,))).at(4.0).values(PGA) == [0.0]
 
 
 def test_usual_measures_are_those_that_can_be_applied_here():

@@ -143,16 +143,31 @@ class FloorMotions:
             len(levels),
         )
 
+    @property
+    def measures(self) -> tuple[IntensityMeasure, ...]:
+        """The intensity measures that are known of the motions."""
+        usual = (im for im in (JMA_INTENSITY, PGA, PGV) if im in self.of_ground)
+        return tuple(dict.fromkeys((*usual, PFA, PFV, *self.of_ground)))
+
+    def values(
+        self, measure: IntensityMeasure, place: NDArray[np.intp] | slice = slice(None)
+    ) -> NDArray[np.float64]:
+        """Return a measure of the motions of some places; floors of others are not computed for it."""
+        if measure in self.of_ground:
+            return self.of_ground[measure][place]
+        places = np.arange(len(self.motions))[place]
+        peaks = {number: self._peaks_of(number) for number in np.unique(places).tolist()}
+        return np.abs(self.scales[place]) * [peaks[number][measure] for number in places.tolist()]
+
+    def _peaks_of(self, place: int) -> dict[IntensityMeasure, float]:
+        motion = self.motions[place]
+        if id(motion) not in self._peaks:  # without a building all levels have one motion
+            self._peaks[id(motion)] = {PFA: larger_peak(motion, "PGA"), PFV: larger_peak(motion, "PGV")}
+        return self._peaks[id(motion)]
+
     @cached_property
-    def measures(self) -> dict[IntensityMeasure, NDArray[np.float64]]:
-        """Each intensity measure of each motion, of the ground and of the floor, shape (motions,)."""
-        known: dict[int, tuple[float, float]] = {}  # several levels may have one motion
-        for motion in self.motions:
-            if id(motion) not in known:
-                known[id(motion)] = larger_peak(motion, "PGA"), larger_peak(motion, "PGV")
-        pfa, pfv = np.array([known[id(motion)] for motion in self.motions]).T * np.abs(self.scales)
-        usual = {im: self.of_ground[im] for im in (JMA_INTENSITY, PGA, PGV) if im in self.of_ground}
-        return usual | {PFA: pfa, PFV: pfv} | self.of_ground
+    def _peaks(self) -> dict[int, dict[IntensityMeasure, float]]:
+        return {}
 
     @property
     def each(self) -> int:

@@ -190,14 +190,14 @@ def _curves(name: str, floors: FloorMotions, runs: Sequence[Runs]) -> dict[Inten
             name,
             Trials.of_runs(
                 FLOOR_JMA if im == JMA_INTENSITY and of_floors else im,
-                values[place],
+                floors.values(im, place),
                 made.overturned,
                 made.missing,
                 made.members.motion,
                 len(OFFSETS) if len(runs) == 1 else len(runs),
             ),
         )
-        for im, values in floors.measures.items()
+        for im in floors.measures
     }
 
 

@@ -124,7 +124,7 @@ class Estimates:
     def of(cls, body: Body, floors: FloorMotions, scenario: Scenario, threads: int | None) -> Estimates:
         """Return the estimates of a scenario's body under the motions of a level."""
         gravity, shaking = scenario.gravity, scenario.shaking
-        a, v = floors.measures[PFA], floors.measures[PFV]
+        a, v = floors.values(PFA), floors.values(PFV)
         a0, v0 = estimates.rocking_acceleration(body, gravity), estimates.ishiyama_velocity(body, gravity)
         ratios = [
             estimates.kaneko_hayashi(body, float(x), float(y), gravity).ratio
