@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property, partial
-from typing import TYPE_CHECKING, overload
+from typing import TYPE_CHECKING, Self, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -99,12 +99,9 @@ class ComputedMotions(Sequence[Motion]):
         return ComputedMotions(self._calls[place]) if isinstance(place, slice) else self._calls[place]()
 
     @classmethod
-    def joined(cls, parts: Iterable[Sequence[Motion]]) -> Sequence[Motion]:
+    def joined(cls, parts: Iterable[Sequence[Motion]]) -> Self:
         """Return the motions of several parts, none of them computed for that."""
-        each = [*parts]
-        if any(isinstance(part, ComputedMotions) for part in each):
-            return cls([partial(part.__getitem__, place) for part in each for place in range(len(part))])
-        return tuple(motion for part in each for motion in part)
+        return cls([partial(part.__getitem__, place) for part in parts for place in range(len(part))])
 
 
 @dataclass(frozen=True, eq=False)
