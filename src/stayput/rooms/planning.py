@@ -307,6 +307,7 @@ class _Planner:
         what, alone, as_decided = self.scenario.names[body], fix.alone, decided is not None
         if not sound and not as_decided:
             self.not_enough[what] = fix
+            why.pop(fix.kinds, None)  # it is told beside the fix, of more runs
             return None
         step = PlanStep(what, None, fix, alone, alone, was, instead, deciding, decided=as_decided)
         return ChosenStep(step, self._on(body, measures))
