@@ -173,6 +173,7 @@ class _Planner:
         self.not_enough: dict[str, Fix] = {}
         self._not_taken: dict[str, dict[tuple[str, ...], Phrase]] = {}
         self._known: dict[tuple[str, int], OptionVerdict] = {}
+        # whether a set on a piece brings something, even if it is too weak: two together may then be enough
         self._clear: dict[tuple[int, tuple[str, ...]], bool] = {}
         self.moves = self._moves()
 
@@ -340,6 +341,7 @@ class _Planner:
             # more devices on a wall are stronger; of anything else even 8 runs show what often fails
             if trial.overturns.low >= MAY_FALL_FROM and not any(each.drilled for each in trial.measures):
                 why[trial.kinds] = why_not(trial)
+                self._clear[body, trial.kinds] = True
                 continue
             full = self._in_full(trial, body)
             self._clear[body, trial.kinds] = full.effect.helps
