@@ -28,7 +28,11 @@ MOTIONS, DRAWS = 400, 2
 CHANGES, PART = 9, 80
 """Single changes of a room that are run, and runs between which memory is freed."""
 
+OF_ONE_MOTION = ("member", "builtin", "scale")
+"""Keys of ``[shaking]`` that choose a motion, and its strength."""
+
 ROOM = {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
+CONCRETE = {"static_friction": 0.7, "kinetic_friction": 0.6}
 BOARD = {
     "left_wall": {"gap": 0.02, "construction": "plasterboard"},
     "ceiling": {"height": 2.4, "construction": "plasterboard"},
@@ -93,7 +97,7 @@ UNSEEN: dict[str, dict[str, Any] | Path] = {
     "chest on carpet": lone("chest", "7", {"floor": "carpet", "left_wall": {"gap": 0.05}}),
     "refrigerator": lone("refrigerator", "7", {"left_wall": {"gap": 0.05}}),
     "empty bookcase": lone("empty bookcase", "6-lower"),
-    "vending machine on concrete": lone("vending machine", "7", {"floor": "concrete"}),
+    "vending machine on concrete": lone("vending machine", "7", {"floor": CONCRETE}),
     "rack, 5th of 10, steel": lone("server rack", "6-upper", {"floor": "vinyl"}, **storeys(10, "S", 5)),
     "bookcase, 10th of 10": lone("bookcase", "5-lower", **storeys(10, "RC", 10)),
     "wardrobe on tatami": lone("wardrobe", "7", {"floor": "tatami"}),
@@ -106,10 +110,14 @@ UNSEEN: dict[str, dict[str, Any] | Path] = {
 
 
 def scenario_of(stated: dict[str, Any] | Path) -> sp.Scenario:
-    """Return a scene under as many motions, with as many runs; what is inside is left out."""
+    """Return a scene under as many motions, with as many runs; what is inside is left out.
+
+    One motion at a strength of its own, as in some of the examples, becomes a suite at 6-upper.
+    """
     scenario = sp.read(stated) if isinstance(stated, Path) else sp.Scenario.parse(stated)
     tables = scenario.stated_keys()
-    shaking = {key: value for key, value in tables["shaking"].items() if key != "member"}
+    given = tables["shaking"].items()
+    shaking = {"intensity": "6-upper"} | {key: value for key, value in given if key not in OF_ONE_MOTION}
     suite = {**shaking.get("suite", {}), "count": MOTIONS}
     asked = {**tables.get("uncertainty", {}), "samples": MOTIONS * DRAWS}
     tables = {key: value for key, value in tables.items() if key not in ("contents", "everyday")}
