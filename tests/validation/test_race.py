@@ -67,7 +67,7 @@ def _race(scene: Scene, precision: float | None = None) -> Race:
 def tally() -> list[Told]:
     """Races of nine options, in one of five of which nothing helps."""
     told, rng = list[Told](), np.random.default_rng(11)
-    for seed in range(80):
+    for seed in range(120):
         bare = rng.choice([0.05, 0.2, 0.5, 0.7, 0.9])
         factors = rng.choice([0.02, 0.15, 0.3, 0.5, 0.7, 0.9, 1.0, 1.05], OPTIONS - 1)
         shares = np.clip(
@@ -83,15 +83,16 @@ def right(tally: list[Told], of: str) -> list[bool]:
 
 
 def test_what_races_tell_is_right(tally: list[Told]) -> None:
-    assert np.mean(right(tally, "intervals")) >= AIMS["intervals"]
-    assert np.mean(right(tally, "best")) >= 0.9  # 0.95 of 400 races, known to 0.025 from so few
-    assert len(right(tally, "clear")) > 80
+    assert np.mean(right(tally, "intervals")) >= 0.94
+    assert np.mean(right(tally, "leaders")) >= 0.93
+    assert np.mean(right(tally, "best")) >= 0.93
+    assert len(right(tally, "clear")) > 100
     assert np.mean(right(tally, "clear")) >= AIMS["clear"]
     assert np.mean(right(tally, "curves")) >= AIMS["curves"]
 
 
 def test_few_runs_are_enough(tally: list[Told]) -> None:
-    assert np.mean([told.runs for told in tally]) < 0.65 * OPTIONS * MOTIONS
+    assert np.mean([told.runs for told in tally]) < 0.6 * OPTIONS * MOTIONS
 
 
 def test_races_of_scenes_hold_what_800_runs_say() -> None:

@@ -1,4 +1,4 @@
-r"""A logit fit of what happens over an intensity: the posterior of its three parameters on a grid.
+r"""A logit fit of what happens over an intensity: the posterior of its parameters on a grid.
 
     p(u) = γ + (δ − γ) / (1 + exp(−(a + b (u − u₀))))
 
@@ -75,7 +75,7 @@ class LogitFit:
     ----------
     middle : float
         u₀.
-    a, b, least, most, weight : ndarray, shape (points,)
+    a, b, gamma, delta, weight : ndarray, shape (points,)
         Parameters of each point, and its probability.
     design_effect : float
         Runs over independent runs that would tell as much.
@@ -84,8 +84,8 @@ class LogitFit:
     middle: float
     a: NDArray[np.float64]
     b: NDArray[np.float64]
-    least: NDArray[np.float64]
-    most: NDArray[np.float64]
+    gamma: NDArray[np.float64]
+    delta: NDArray[np.float64]
     weight: NDArray[np.float64]
     design_effect: float = 1.0
 
@@ -136,7 +136,7 @@ class LogitFit:
         slope, scatter = (SLOPE, SLOPE_SCATTER) if of_jma else (PEAK_SLOPE, PEAK_SCATTER)
         usual = math.log(slope * (EFOLDS if measure.is_logarithm else 1.0))
 
-        least, most = np.transpose(LIMITS)[:, :, np.newaxis, np.newaxis]
+        gamma, delta = np.transpose(LIMITS)[:, :, np.newaxis, np.newaxis]
 
         def weights(a: NDArray[np.float64], log_b: NDArray[np.float64]) -> NDArray[np.float64]:
             """Return the posterior at each pair of limits, a and ln b, the largest of which is 1."""
@@ -144,9 +144,9 @@ class LogitFit:
             each = 0.5 * (log_expit(a) + log_expit(-a)) - 0.5 * ((log_b - usual) / scatter) ** 2
             for of_cell, fallen, standing in zip(x, falls, stands, strict=True):
                 z = (a + np.exp(log_b) * of_cell).clip(-_STEEPEST, _STEEPEST)
-                each = each + fallen * np.log(least + (most - least) * expit(z))
+                each = each + fallen * np.log(gamma + (delta - gamma) * expit(z))
                 # not of 1 − p, which rounding loses where p is nearly 1
-                each = each + standing * np.log((1.0 - most) + (most - least) * expit(-z))
+                each = each + standing * np.log((1.0 - delta) + (delta - gamma) * expit(-z))
             return np.exp(each - each.max())
 
         ends = (-_LARGEST_LOGIT, _LARGEST_LOGIT), (usual - 4.0 * scatter, usual + 4.0 * scatter)
@@ -159,15 +159,15 @@ class LogitFit:
                 axes[axis] = np.linspace(axes[axis][first], axes[axis][last], _POINTS[axis])
             weight = weights(*axes)
         chosen = weight > _NO_WEIGHT
-        points = np.broadcast_arrays(axes[0][:, np.newaxis], np.exp(axes[1]), least, most)
+        points = np.broadcast_arrays(axes[0][:, np.newaxis], np.exp(axes[1]), gamma, delta)
         a, b, gamma, delta = (column[chosen] for column in points)
         return cls(middle, a, b, gamma, delta, weight[chosen] / weight[chosen].sum(), effect)
 
     def _shares(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return p of each point at each coordinate, shape (points, coordinates)."""
         z = self.a[:, np.newaxis] + self.b[:, np.newaxis] * (u - self.middle)
-        least, most = self.least[:, np.newaxis], self.most[:, np.newaxis]
-        return least + (most - least) * expit(z)
+        gamma, delta = self.gamma[:, np.newaxis], self.delta[:, np.newaxis]
+        return gamma + (delta - gamma) * expit(z)
 
     def mean(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the mean of the probability at coordinates."""
@@ -182,7 +182,7 @@ class LogitFit:
     def coordinate(self, share: float) -> NDArray[np.float64]:
         """Return lower end, median and upper end of where a share is reached; ±∞ where nowhere."""
         with np.errstate(invalid="ignore", divide="ignore"):
-            risen = np.clip((share - self.least) / (self.most - self.least), 0.0, 1.0)
+            risen = np.clip((share - self.gamma) / (self.delta - self.gamma), 0.0, 1.0)
             return self._quantiles(self.middle + (logit(risen) - self.a) / self.b)
 
     @property

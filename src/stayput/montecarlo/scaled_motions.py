@@ -9,7 +9,7 @@ where storeys yield it does not, and is computed at each level at which it is as
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache, cached_property, partial
 from typing import TYPE_CHECKING, Self, overload
 
@@ -104,7 +104,7 @@ class ComputedMotions(Sequence[Motion]):
         return cls([partial(part.__getitem__, place) for part in parts for place in range(len(part))])
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False)
 class FloorMotions:
     """The motions under the furniture at one level, or at several, one level after the other.
 
@@ -128,6 +128,9 @@ class FloorMotions:
     of_ground: dict[IntensityMeasure, NDArray[np.float64]]
     floor: str = ""
     levels: int = 1
+    _peaks: dict[int, dict[IntensityMeasure, float]] = field(
+        default_factory=dict[int, "dict[IntensityMeasure, float]"], init=False
+    )
 
     @classmethod
     def joined(cls, levels: Sequence[FloorMotions]) -> FloorMotions:
@@ -161,10 +164,6 @@ class FloorMotions:
         if id(motion) not in self._peaks:  # without a building all levels have one motion
             self._peaks[id(motion)] = {PFA: larger_peak(motion, "PGA"), PFV: larger_peak(motion, "PGV")}
         return self._peaks[id(motion)]
-
-    @cached_property
-    def _peaks(self) -> dict[int, dict[IntensityMeasure, float]]:
-        return {}
 
     @property
     def each(self) -> int:
@@ -374,10 +373,10 @@ class ScaledMotions:
 
     def _yielding(self, building: BuildingTable, factors: NDArray[np.float64]) -> ComputedMotions:
         """Return the floor's motions in a building that yields under the ground's motions times factors."""
+        model = building.building()
 
         def floor_of(motion: Motion, factor: float) -> Motion:
-            grounds = (motion.scaled(factor),)
-            ((floor,),) = building.building().floor_motions(grounds, (self.storey,), threads=1)
+            ((floor,),) = model.floor_motions((motion.scaled(factor),), (self.storey,), threads=1)
             return floor
 
         of_motions = zip(self.acting, factors.tolist(), strict=True)

@@ -334,10 +334,11 @@ class _Planner:
     def _sound(self, tried: Iterable[Trial], body: int) -> Fix | None:
         """Return the best measures that clearly help and are not too weak."""
         why = self._not_taken[self.scenario.names[body]]
-        for trial in sorted(tried, key=merit)[:CANDIDATES]:
-            if not self._may_help(body):
-                why[trial.kinds] = phrase("action_plan.no_gain")
-                continue
+        candidates = sorted(tried, key=merit)[:CANDIDATES]
+        if not self._may_help(body):
+            why |= {trial.kinds: phrase("action_plan.no_gain") for trial in candidates}
+            return None
+        for trial in candidates:
             # more devices on a wall are stronger; of anything else even 8 runs show what often fails
             if trial.overturns.low >= MAY_FALL_FROM and not any(each.drilled for each in trial.measures):
                 why[trial.kinds] = why_not(trial)
