@@ -415,6 +415,8 @@ def within(
     name: str | Phrase, value: float, low: float, high: float, unit: str = "", field: str | None = None
 ) -> float:
     """Return ``value`` as a float, or raise `InputError` when it is not in [low, high]; see `finite`."""
+    if type(value) is float and low <= value <= high < math.inf:  # as most are: the rest takes its time
+        return value
     number = finite(name, value, field)
     if not low <= number <= high:
         suffix = f" {unit}" if unit else ""

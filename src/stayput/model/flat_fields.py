@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from functools import cache
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -36,17 +37,15 @@ KINDS: dict[str, type] = {
 SCALE = Parameter("motion.scale", 1.0, "", -1e6, 1e6, ("Scale of the motion", "地震動の倍率"))
 
 
-def _paths(path: str, about: Parameter) -> list[str]:
-    """Return the paths of the numbers of a field: one, or two of a pair."""
-    name = f"{path}.{about.name}"
-    return [f"{name}.{word}" for word in PAIRS.get(about.name, ())] or [name]
+@cache
+def _paths(path: str, kind: type) -> tuple[tuple[Parameter, tuple[str, ...]], ...]:
+    """Return the fields of what numbers belong to, and the paths of the numbers of each: of a pair two."""
+    each = ((about, f"{path}.{about.name}", PAIRS.get(about.name, ())) for about in parameters(kind))
+    return tuple((about, tuple(f"{name}.{word}" for word in words) or (name,)) for about, name, words in each)
 
 
 UNITS = {GRAVITY.name: GRAVITY.unit} | {
-    name: about.unit
-    for path, kind in KINDS.items()
-    for about in parameters(kind)
-    for name in _paths(path, about)
+    name: about.unit for path, kind in KINDS.items() for about, names in _paths(path, kind) for name in names
 }
 """Units by path."""
 
@@ -63,21 +62,30 @@ def fields_of(path: str, value: Body | Room | Floor | Wall | Ceiling | State | N
     that is None is far away.
     """
     if isinstance(value, Room):
-        parts = (fields_of(f"{path}.{name}", getattr(value, name)) for name in ("floor", *WALLS_AND_CEILING))
-        return {name: number for part in parts for name, number in part.items()}
+        numbers_at = dict[str, float]()
+        for name in ("floor", *WALLS_AND_CEILING):
+            numbers_at |= fields_of(f"{path}.{name}", getattr(value, name))
+        return numbers_at
     if value is None:
-        name = path.removeprefix("room.")
-        none = Ceiling(1.0) if name == "ceiling" else Wall(0.0)
-        return fields_of(path, none) | {distance_to(name): math.inf}
-    numbers_at: dict[str, float] = {}
-    for about in parameters(value):
+        return {**_far_away(path)}
+    numbers_at = dict[str, float]()
+    for about, names in _paths(path, type(value)):
         content: Any = getattr(value, about.name)
-        if about.choices:
-            numbers = (about.choices.index(content),)
+        if len(names) > 1:
+            numbers_at |= zip(names, content, strict=True)
+        elif about.choices:
+            numbers_at[names[0]] = about.choices.index(content)
         else:
-            numbers = content if about.name in PAIRS else (math.nan if content is None else content,)
-        numbers_at |= zip(_paths(path, about), numbers, strict=True)
+            numbers_at[names[0]] = math.nan if content is None else content
     return numbers_at
+
+
+@cache
+def _far_away(path: str) -> dict[str, float]:
+    """Return the numbers of a wall or a ceiling that is not there."""
+    name = path.removeprefix("room.")
+    none = Ceiling(1.0) if name == "ceiling" else Wall(0.0)
+    return fields_of(path, none) | {distance_to(name): math.inf}
 
 
 def distance_to(name: str) -> str:
@@ -112,8 +120,8 @@ def from_flat_fields(numbers: Mapping[str, float]) -> tuple[Body, Room, State]:
 def _made(path: str, numbers: Mapping[str, float]) -> Any:
     """Return the value that numbers belong to; the inverse of `fields_of`."""
     stated: dict[str, Any] = {}
-    for about in parameters(KINDS[path]):
-        values = tuple(numbers[name] for name in _paths(path, about))
+    for about, names in _paths(path, KINDS[path]):
+        values = tuple(numbers[name] for name in names)
         if about.name in PAIRS:
             stated[about.name] = values
         elif about.choices:

@@ -84,7 +84,10 @@ def principal_axes(inertia: NDArray[np.float64]) -> tuple[NDArray[np.float64], N
     diagonal = np.diag(np.diag(inertia))
     # what is left of rounding would turn the axes of equal moments anywhere
     slight = np.abs(inertia) <= 1e-13 * np.trace(inertia)
-    moments, axes = np.linalg.eigh(np.where(slight, diagonal, inertia))
+    tensor = np.where(slight, diagonal, inertia)
+    if not (tensor - diagonal).any():
+        return np.diag(inertia).copy(), np.eye(3)
+    moments, axes = np.linalg.eigh(tensor)
     order = list(max(permutations(range(3)), key=lambda p: sum(abs(axes[i, p[i]]) for i in range(3))))
     moments, axes = moments[order], axes[:, order]
     axes *= np.where(np.diag(axes) < 0.0, -1.0, 1.0)
@@ -116,6 +119,16 @@ class Hull(NamedTuple):
     vertices: NDArray[np.float64]
     faces: tuple[NDArray[np.int64], ...]
     planes: NDArray[np.float64]
+
+    @property
+    def filled(self) -> UniformSolid:
+        """What follows where it is filled evenly."""
+        return uniform_solid(self.vertices, triangulated(self.faces))
+
+    @property
+    def filled_inertia(self) -> NDArray[np.float64]:
+        """Its inertia tensor over its mass then [m²]."""
+        return inertia_of(self.filled.second_moments)
 
 
 class UniformSolid(NamedTuple):
@@ -428,11 +441,9 @@ def _surrounded(
     contacts: NDArray[np.float64], point: NDArray[np.float64], up: NDArray[np.float64], tolerance: float
 ) -> bool:
     """Tell whether contacts in a plane lie around a point above it: no half of the directions is empty."""
-    along = np.cross([0.0, 1.0, 0.0], up)
-    along /= np.linalg.norm(along)
-    across = np.cross(up, along)
+    along = np.array([up[2], 0.0, -up[0]]) / math.hypot(up[0], up[2])
     from_point = contacts - point
-    x, y = from_point @ along, from_point @ across
+    x, y = from_point @ along, from_point @ _cross(up[np.newaxis], along[np.newaxis])[0]
     directions = np.sort(np.arctan2(y, x)[np.hypot(x, y) > tolerance])
     if len(directions) < 3:
         return False

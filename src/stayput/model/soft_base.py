@@ -47,7 +47,10 @@ def rigid_half_base(half_base: ArrayLike, height: ArrayLike, settlement: ArrayLi
     >>> round(float(rigid_half_base(0.15, 0.9, 0.001)), 4)
     0.1088
     """
-    a, z, w = (np.asarray(value, np.float64) for value in (half_base, height, settlement))
+    each = (np.asarray(value, np.float64) for value in (half_base, height, settlement))
+    a, z, w = np.broadcast_arrays(*each)
+    if not w.any():  # as of what stands on its own
+        return a.copy()
     with np.errstate(invalid="ignore", divide="ignore"):  # rows are refused where a or z is not above 0
         # √θ* is the largest root of z s³ − a s + (2/3) √(a w₀) = 0
         cosine = np.minimum(1.0, np.sqrt(3.0 * z * w) / a)

@@ -115,16 +115,13 @@ class Solid:
                 "mechanics.the_body", len(hull.vertices), "solids.corners", MOST_VERTICES, "vertices"
             )
         mass = solid_fields.checked_mass(mass)
-        uniform = polyhedron.uniform_solid(hull.vertices, polyhedron.triangulated(hull.faces))
-        usual = mass * polyhedron.inertia_of(uniform.second_moments)
+        centre = hull.filled.centroid if centre_of_gravity is None else centre_of_gravity
         fields: dict[str, Any] = {
             "vertices": solid_fields.read_only(hull.vertices),
             "faces": tuple(solid_fields.read_only(face) for face in hull.faces),
             "mass": mass,
-            "centre_of_gravity": solid_fields.checked_centre(
-                hull, uniform.centroid if centre_of_gravity is None else centre_of_gravity
-            ),
-            "inertia": solid_fields.checked_inertia(hull, mass, usual, usual if inertia is None else inertia),
+            "centre_of_gravity": solid_fields.checked_centre(hull, centre),
+            "inertia": solid_fields.checked_inertia(hull, mass, inertia),
             "feet": None if feet is None else solid_fields.checked_feet(hull, feet),
             "rims": solid_fields.checked_rims(rims),
             "base": ("flat" if feet is None else "feet") if base is None else base,
