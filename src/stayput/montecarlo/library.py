@@ -60,20 +60,25 @@ class PieceKind:
         The names of their draws; see `SceneDraws.streams`.
     key : str
         What tells it from other kinds.
+    tracked : bool
+        Whether something else than the pieces asks where they were: others, people, or walls left out.
     """
 
     scene: Scene
     called: Sequence[str | Phrase]
     streams: tuple[str, ...]
     key: str
+    tracked: bool
 
     @classmethod
-    def of(cls, scene: Scene, called: Sequence[str | Phrase], streams: tuple[str, ...]) -> PieceKind:
+    def of(
+        cls, scene: Scene, called: Sequence[str | Phrase], streams: tuple[str, ...], *, tracked: bool
+    ) -> PieceKind:
         """Return that of a scene in axes of its own."""
         pieces = [(piece.body, piece.at, piece.heading, piece.measures) for piece in scene.pieces]
         moves = [(piece.tilt, piece.velocity, piece.rotation_rate) for piece in scene.pieces]
         key = repr((pieces, moves, scene.joints, scene.room, scene.friction, streams))
-        return cls(scene, called, streams, key)
+        return cls(scene, called, streams, key, tracked)
 
     @cached_property
     def elements(self) -> list[tuple[Element, ...]]:
@@ -158,8 +163,10 @@ def standing_of(scene: Scene, group: Group, draws: SceneDraws) -> Standing:
         reach = max(NEAR_WALL, *(_falls_as_far(piece, name) for piece in in_axes.pieces))
         if wall is not None and wall.gap > reach:
             near = replace(near, **{name: None})
-    walled = PieceKind.of(in_axes, called, streams)
-    kind = walled if near == in_axes.room else PieceKind.of(replace(in_axes, room=near), called, streams)
+    tracked = scene.plan is not None or len(scene.pieces) > 1
+    kind = walled = PieceKind.of(in_axes, called, streams, tracked=tracked)
+    if near != in_axes.room:
+        kind = PieceKind.of(replace(in_axes, room=near), called, streams, tracked=True)
     return Standing(group, axes, kind, walled)
 
 
@@ -180,7 +187,7 @@ class KindRun(NamedTuple):
     devices : list of tuple of ndarray
         DEVICE and utilisation of what holds each piece, and of the joints between them at last.
     tracks : list of Track
-        Where each was, in the axes of the kind.
+        Where each was, in the axes of the kind; of none where that is not `PieceKind.tracked`.
     """
 
     results: NDArray[np.void]
@@ -289,10 +296,10 @@ class Library:
         floor = self.floors.motions[place], float(self.floors.scales[place])
         axes = Placement(quarter_turns=key.quarter_turns)
         draw = self.draws.draw(key.motion, key.sample, kind.streams, axes)
-        return kind_run(*kind.run(draw, *floor, self._gravity, self._initial))
+        return kind_run(kind, *kind.run(draw, *floor, self._gravity, self._initial))
 
 
-def kind_run(traced: Trace, shaking: SpaceShaking) -> KindRun:
+def kind_run(kind: PieceKind, traced: Trace, shaking: SpaceShaking) -> KindRun:
     """Return what became of the pieces of a kind in a run."""
     trace, first = traced.trace, 0
     used, devices = utilisation(trace.springs, trace.devices), list[tuple[Any, Any]]()
@@ -303,7 +310,7 @@ def kind_run(traced: Trace, shaking: SpaceShaking) -> KindRun:
     results = results_of(traced, shaking.times)
     free = [0.0 if body.held is None else body.held.free_slide for body in traced.bodies]
     without_free_slide(results, free)
-    return KindRun(results, devices, traced.tracks(shaking.dt))
+    return KindRun(results, devices, traced.tracks(shaking.dt) if kind.tracked else [])
 
 
 def trace_draw(

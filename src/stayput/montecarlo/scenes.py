@@ -117,7 +117,7 @@ class SceneRunner:
         members : Members
             The runs.
         keep : bool
-            Whether the tracks of the pieces are kept.
+            Whether the tracks of the pieces are kept; not of a lone piece without a plan.
 
         Raises
         ------
@@ -150,6 +150,7 @@ class SceneRunner:
     ) -> Runs:
         """Return the runs of a scene, composed of those of its groups of pieces."""
         shape = len(members), len(scene.pieces)
+        keep = keep and all(standing.kind.tracked for standing, _ in runs_of_groups)
         results, tracks = np.zeros(shape, RESULT), np.empty(shape, object)
         columns: list[list[Any]] = [[] for _ in range(shape[1] + len(scene.joints))]
         for standing, runs in runs_of_groups:
@@ -226,7 +227,7 @@ def replay(scenario: Scenario, scene: Scene, member: Member, motion: Motion, sca
         draw, axes = drawn(standing.axes, standing.kind.streams), standing.axes
         how = draw, motion, scale, scenario.gravity, scenario.initial.state()
         traced, shaking = standing.kind.run(*how)
-        if standing.reaches_far_wall(kind_run(traced, shaking)):
+        if standing.reaches_far_wall(kind_run(standing.kind, traced, shaking)):
             traced, _ = standing.walled.run(*how)
         traces[standing.group] = replace(traced.in_room(), axes=axes).in_room()
     draw = drawn(ORIGIN, draws.streams(range(len(scene.pieces))))

@@ -22,8 +22,8 @@ from scipy.spatial import ConvexHull
 from stayput.mechanics.space.touching import ROOM
 from stayput.simulation.piece import Convex, ConvexShape, Piece, separation
 from stayput.simulation.space_engine import MOST_HITS, Gaps, SpaceTrace
-from stayput.simulation.space_fate import falling, moved_samples
-from stayput.simulation.space_records import frames_of, matrices
+from stayput.simulation.space_fate import falling
+from stayput.simulation.space_records import Path, moved_samples
 
 if TYPE_CHECKING:
     from stayput.simulation.placement import Placement
@@ -106,7 +106,7 @@ def outline_of(corners: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def tracks_of(
-    pieces: Sequence[Piece], trace: SpaceTrace | Run, dt: float, turns: NDArray[np.float64] | None = None
+    pieces: Sequence[Piece], trace: SpaceTrace | Run, dt: float, path: Path | None = None
 ) -> list[Track]:
     """Return the tracks of the bodies of a run.
 
@@ -118,21 +118,22 @@ def tracks_of(
         How they moved.
     dt : float
         Time between samples [s].
-    turns : ndarray, shape (bodies, samples, 3, 3), optional
-        The rotations of their frames, where they are known.
+    path : Path, optional
+        Their poses, where they are known.
     """
-    turns = matrices(frames_of(pieces, trace.attitude)) if turns is None else turns
+    path = Path.of(pieces, trace) if path is None else path
     tracks: list[Track] = []
     for b, piece in enumerate(pieces):
-        shape, place, turn = ConvexShape.of(piece.solid), trace.place[b], turns[b]
+        shape, place, turn = ConvexShape.of(piece.solid), path.place[b], path.turn[b]
         moved = stirring(shape, place, turn)
-        v, w = trace.velocity[b, moved], trace.rotation_rate[b, moved]
+        sample = path.sample[moved]
+        v, w = trace.velocity[b, sample], trace.rotation_rate[b, sample]
         spin = np.einsum("kji,kj->ki", turn[moved], w)
         energy = 0.5 * (
             shape.mass * np.sum(v * v, axis=1) + np.einsum("ki,ij,kj->k", spin, shape.inertia, spin)
         )
         poses = place[moved], np.ascontiguousarray(turn[moved])
-        tracks.append(Track(shape, moved, *poses, energy, dt, falling(piece, *poses)))
+        tracks.append(Track(shape, sample, *poses, energy, dt, falling(piece, *poses)))
     return tracks
 
 

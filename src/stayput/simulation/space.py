@@ -28,7 +28,7 @@ from stayput.simulation.placing import Placed, joint_results, joint_springs, pla
 from stayput.simulation.run import PieceRun, Run, default_names
 from stayput.simulation.space_engine import STEP, TOUCHES, Gaps, SpaceShaking, SpaceTrace, run_world
 from stayput.simulation.space_fate import Fate, fates_of, slides, unrolled, upright_yaws
-from stayput.simulation.space_records import APART, frames_of, matrices, product, surface_of, world_of
+from stayput.simulation.space_records import APART, Path, frames_of, matrices, product, surface_of, world_of
 from stayput.wording import joined, name_within
 
 if TYPE_CHECKING:
@@ -97,13 +97,20 @@ class Trace:
         """The rotations of the bodies' frames, shape (bodies, samples, 3, 3)."""
         return matrices(frames_of(self.pieces, self.trace.attitude))
 
+    @cached_property
+    def path(self) -> Path:
+        """Their poses where they move."""
+        return Path.of(self.pieces, self.trace)
+
     def fates(self) -> list[Fate]:
         """Return what became of the bodies."""
-        return fates_of(self.pieces, self.trace.place, self.turns, self.trace.gaps, self.trace.given_up)
+        sample, repeats, *poses = self.path
+        fates = fates_of(self.pieces, *poses, self.trace.gaps, self.trace.given_up)
+        return [fate.at_all(sample, repeats) for fate in fates]
 
     def tracks(self, dt: float) -> list[Track]:
         """Return where in the room the bodies were; see `stayput.simulation.groups`."""
-        return [track.placed(self.axes) for track in tracks_of(self.pieces, self.trace, dt, self.turns)]
+        return [track.placed(self.axes) for track in tracks_of(self.pieces, self.trace, dt, self.path)]
 
     def in_room(self) -> Trace:
         """Return the same in the axes of the room."""

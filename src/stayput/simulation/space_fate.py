@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from stayput.mechanics.columns import ROCKING_TILT
 from stayput.simulation.outcome import Outcome
 from stayput.simulation.space_engine import TOUCHES, Gaps
-from stayput.simulation.space_records import matrices
+from stayput.simulation.space_records import matrices, moved_samples
 
 if TYPE_CHECKING:
     from stayput.model.solid import Solid
@@ -302,6 +302,11 @@ class Fate(NamedTuple):
         """The first sample at which it overturned or fell off; None where it did neither."""
         return min((i for i in (self.overturned, self.fell_off) if i is not None), default=None)
 
+    def at_all(self, sample: NDArray[np.intp], repeats: NDArray[np.intp]) -> Fate:
+        """Return it at all samples, of that at some of them; see `moved_samples`."""
+        falls = (None if at is None else int(sample[at]) for at in (self.overturned, self.fell_off))
+        return Fate(self.outcome, *falls, self.tilt[repeats], self.way[repeats], self.slide[repeats])
+
 
 def fates_of(
     pieces: Sequence[Piece],
@@ -407,20 +412,6 @@ def _seen_from(
     turns = back @ turn[b]
     # differences from the first sample: what does not move stays where it is, to the bit
     return place[b, 0] + (places - places[0]) @ first.T, turn[b, 0] + first @ (turns - turns[0])
-
-
-def moved_samples(
-    place: NDArray[np.float64], turn: NDArray[np.float64]
-) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Return the samples at which a body is not where it was before, and which of them each sample repeats.
-
-    Furniture stands still for most of a record.
-    """
-    moved = np.ones(len(place), np.bool_)
-    moved[1:] = False
-    for numbers in (*place.T, *turn.reshape(len(turn), -1).T):
-        moved[1:] |= numbers[1:] != numbers[:-1]
-    return np.flatnonzero(moved), np.cumsum(moved) - 1
 
 
 def _chosen(poses: NDArray[np.float64], moved: NDArray[np.intp]) -> NDArray[np.float64]:

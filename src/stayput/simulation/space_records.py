@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,6 +19,8 @@ from stayput.model.flat_fields import WALLS_AND_CEILING
 if TYPE_CHECKING:
     from stayput.model.solid import Solid
     from stayput.simulation.piece import Piece
+    from stayput.simulation.run import Run
+    from stayput.simulation.space_engine import SpaceTrace
 
 
 def quaternion_of(turn: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -94,6 +96,48 @@ def frames_of(pieces: Sequence[Piece], attitudes: NDArray[np.float64]) -> NDArra
     """Return the attitudes of frames from those of principal axes, shape (bodies, samples, 4)."""
     back = [quaternion_of(piece.solid.principal[1]) * np.array([1.0, -1.0, -1.0, -1.0]) for piece in pieces]
     return np.stack([product(q, r) for q, r in zip(attitudes, back, strict=True)])
+
+
+def moved_samples(*histories: NDArray[np.float64]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Return the samples at which numbers are not as before, and which of them each sample repeats.
+
+    Furniture stands still for most of a record.
+
+    Parameters
+    ----------
+    *histories : ndarray, shape (samples, ...)
+        The numbers: where bodies are, and how they are turned.
+    """
+    moved = np.ones(len(histories[0]), np.bool_)
+    moved[1:] = False
+    for history in histories:
+        for numbers in history.reshape(len(history), -1).T:
+            moved[1:] |= numbers[1:] != numbers[:-1]
+    return np.flatnonzero(moved), np.cumsum(moved) - 1
+
+
+class Path(NamedTuple):
+    """The poses of bodies at the samples at which any of them moves.
+
+    Parameters
+    ----------
+    sample, repeats : ndarray of int
+        These samples, shape (k,), and which of them each sample repeats; see `moved_samples`.
+    place, turn : ndarray, shape (bodies, k, 3) and (bodies, k, 3, 3)
+        Of the centres of gravity [m], and the rotations of the frames into the room's.
+    """
+
+    sample: NDArray[np.intp]
+    repeats: NDArray[np.intp]
+    place: NDArray[np.float64]
+    turn: NDArray[np.float64]
+
+    @classmethod
+    def of(cls, pieces: Sequence[Piece], trace: SpaceTrace | Run) -> Path:
+        """Return that of the bodies of a run."""
+        sample, repeats = moved_samples(*trace.place, *trace.attitude)
+        turn = matrices(frames_of(pieces, trace.attitude[:, sample]))
+        return cls(sample, repeats, trace.place[:, sample], turn)
 
 
 def world_of(
