@@ -8,8 +8,11 @@ from dataclasses import dataclass, field, fields
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
 from stayput.catalogue import phrase
-from stayput.errors import InputError, finite, instance_of, list_of, not_allowed, numbers
+from stayput.errors import InputError, finite, instance_of, list_of, no_length, not_allowed, numbers
 from stayput.model.parameters import (
     DENSITY_RANGE,
     GRAVITY,
@@ -24,7 +27,7 @@ from stayput.model.parameters import (
 )
 from stayput.model.polyhedron import enclosed_volume, triangulated
 from stayput.model.shapes import Shapes, section_of
-from stayput.model.solid import BASES, Solid
+from stayput.model.solid import BASES, Solid, corners_of_box
 from stayput.uncertainty import Confidence
 from stayput.wording import Brief
 
@@ -205,6 +208,16 @@ class Body(Shapes, Brief):
             No length.
         """
         return self.shape or _solid_of(self)
+
+    @property
+    def vertices(self) -> NDArray[np.float64]:
+        """The corners of its `solid` [m], shape (n, 3), without making that; it raises the same."""
+        if self.shape is not None:
+            return self.shape.vertices
+        if self.length is None:
+            raise no_length()
+        u, v = zip(*self.corners, strict=True)
+        return np.array(corners_of_box(u, v, self.length))
 
     @property
     def uniform_inertia(self) -> float:

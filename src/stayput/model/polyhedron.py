@@ -125,10 +125,9 @@ class Hull(NamedTuple):
         """What follows where it is filled evenly."""
         return uniform_solid(self.vertices, triangulated(self.faces))
 
-    @property
-    def filled_inertia(self) -> NDArray[np.float64]:
-        """Its inertia tensor over its mass then [m²]."""
-        return inertia_of(self.filled.second_moments)
+    def inertia(self, mass: float) -> NDArray[np.float64]:
+        """Return its inertia tensor where a mass fills it evenly [kg m²]."""
+        return mass * inertia_of(self.filled.second_moments)
 
 
 class UniformSolid(NamedTuple):

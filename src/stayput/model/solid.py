@@ -140,6 +140,8 @@ class Solid:
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Solid):
             return NotImplemented
+        if other is self:
+            return True
         mine, theirs = self._inputs, other._inputs
         return all(np.array_equal(mine[name], theirs[name]) for name in mine)
 
@@ -167,9 +169,11 @@ class Solid:
     @property
     def standing_rim(self) -> NDArray[np.float64] | None:
         """The circular edge that touches a level floor all around, if there is one."""
+        if self.feet is not None or not len(self.rims):
+            return None
         lowest = float(self.vertices[:, 2].min()) + polyhedron.TOLERANCE * polyhedron.size_of(self.vertices)
         level = (self.rims[:, 2] <= lowest) & (np.abs(self.rims[:, 5]) > 1.0 - 1e-9)
-        return self.rims[np.argmax(level)] if self.feet is None and level.any() else None
+        return self.rims[np.argmax(level)] if level.any() else None
 
     def _up_at_rest(self) -> NDArray[np.float64] | None:
         tolerance = polyhedron.TOLERANCE * polyhedron.size_of(self.vertices)
@@ -206,6 +210,16 @@ class Solid:
         return _box_of_section(u, v, *(float(case[name]) + 0.0 for name in names), BASES[int(case["base"])])
 
 
+def corners_of_box(
+    u: tuple[float, ...], v: tuple[float, ...], length: float
+) -> list[tuple[float, float, float]]:
+    """Return the corners of a box in space [m], of which ``u`` and ``v`` are those of a row of `CASE`."""
+    (_, _, c, d), (v_a, v_b, top, _), half = u, v, 0.5 * length
+    middle, low = 0.5 * (c + d), min(v_a, v_b)
+    outline = [(x - middle, z - low) for x, z in ((c, v_a), (d, v_b), (c, top), (d, top))]
+    return [(x, y, z) for x, z in outline for y in (-half, half)]
+
+
 # A verification shakes the same pieces with each measure.
 @lru_cache(maxsize=512)
 def _box_of_section(
@@ -220,13 +234,12 @@ def _box_of_section(
     base: str,
 ) -> Solid:
     """Return a box with feet where they are not the corners of its base; see `Solid.of_case`."""
-    (a, b, c, d), (v_a, v_b, top, _) = u, v
+    (a, b, c, d), (v_a, v_b, _, _) = u, v
     half, middle, low = 0.5 * length, 0.5 * (c + d), min(v_a, v_b)
-    outline = [(x - middle, z - low) for x, z in ((c, v_a), (d, v_b), (c, top), (d, top))]
     feet = [(x - middle, y, z - low) for x, z in ((a, v_a), (b, v_b)) for y in (-half_base, half_base)]
     on_corners = (a, b, half_base) == (c, d, half) and v_a == v_b
     return Solid(
-        [(x, y, z) for x, z in outline for y in (-half, half)],
+        corners_of_box(u, v, length),
         mass,
         centre_of_gravity=(-middle, 0.0, -low),
         inertia=mass * np.diag([roll_inertia, inertia, yaw_inertia]),

@@ -45,20 +45,16 @@ class Copied:
 def array_of_shape(name: str, value: ArrayLike, shape: tuple[int | None, ...]) -> NDArray[np.float64]:
     """Return a copy of numbers as an array of a shape, None for any length, that cannot be written to."""
     called = phrase(f"solids.{name}")
-
-    def refused(actual: str | Phrase) -> InputError:
-        shape_of, allowed = phrase("common.shape_of", name=called), str(shape).replace("None", "n")
-        return not_allowed(shape_of, actual, allowed, name)
-
+    shape_of, allowed = phrase("common.shape_of", name=called), str(shape).replace("None", "n")
     try:
         array = np.array(value, np.float64)
     except (TypeError, ValueError, OverflowError):
-        raise refused(("irregular", "不規則")) from None
+        raise not_allowed(shape_of, ("irregular", "不規則"), allowed, name) from None
     fits = array.ndim == len(shape) and all(
         side in (None, actual) for side, actual in zip(shape, array.shape, strict=True)
     )
     if not fits or not array.size:
-        raise refused(str(array.shape))
+        raise not_allowed(shape_of, str(array.shape), allowed, name)
     check_numbers(array, called, name)
     return read_only(array)
 
@@ -96,29 +92,23 @@ def checked_centre(hull: polyhedron.Hull, value: ArrayLike) -> NDArray[np.float6
 
 
 def checked_inertia(hull: polyhedron.Hull, mass: float, value: ArrayLike | None) -> NDArray[np.float64]:
-    """Return the inertia tensor, made symmetric to the bit, or refuse what no body of the shape has.
-
-    That of the evenly filled hull where there is no value.
-    """
-    tensor = array_of_shape("inertia", mass * hull.filled_inertia if value is None else value, (3, 3))
+    """Return the inertia tensor, made symmetric to the bit, or refuse what no body of the shape has."""
+    tensor = array_of_shape("inertia", hull.inertia(mass) if value is None else value, (3, 3))
     difference = float(np.abs(tensor - tensor.T).max())
     if difference > 1e-9 * np.abs(tensor).max():
         raise InputError("solids.inertia_not_symmetric", "inertia", difference=difference)
     tensor = (tensor + tensor.T) / 2.0
     moments = np.linalg.eigvalsh(tensor)
-
-    def refused(allowed: str | Phrase) -> InputError:
-        text = f"{', '.join(f'{moment:.4g}' for moment in moments)} kg m²"
-        return not_allowed("solids.moments", text, allowed, "inertia")
-
+    text = f"{', '.join(f'{moment:.4g}' for moment in moments)} kg m²"
     if not (moments[0] > 0.0 and moments[2] <= (1.0 + 1e-9) * (moments[0] + moments[1])):
-        raise refused("solids.possible_moments")
+        raise not_allowed("solids.moments", text, "solids.possible_moments", "inertia")
     # what other units would give: kg mm², g m²
     high = 4.0 * mass * float((np.ptp(hull.vertices, axis=0) ** 2).sum())
-    if not 1e-7 * high <= moments[0] <= moments[2] <= high:  # no moment of what is filled evenly is so large
-        low = 1e-7 * float(np.linalg.eigvalsh(mass * hull.filled_inertia)[0])
+    if not 1e-7 * high <= moments[0] <= moments[2] <= high:  # the filled hull has no moment as large as high
+        low = 1e-7 * float(np.linalg.eigvalsh(hull.inertia(mass))[0])
         if not low <= moments[0] <= moments[2] <= high:
-            raise refused(phrase("solids.usual_moments", low=low, high=high))
+            allowed = phrase("solids.usual_moments", low=low, high=high)
+            raise not_allowed("solids.moments", text, allowed, "inertia")
     return read_only(tensor)
 
 
