@@ -190,13 +190,14 @@ def drawn_body(body: Body, draw: Draw) -> Body:
     insets = (float(_drawn_inset(body, 0, draw.back_inset)), float(_drawn_inset(body, 1, draw.front_inset)))
     height = min(0.95, draw.gravity_height * (0.5 + z / body.height)) * body.height
     inertia = None if body.inertia is None else draw.mass * body.inertia
-    standing = replace(body, base_insets=insets)
+    base_width = body.width - insets[0] - insets[1]
     return replace(
-        standing,
+        body,
         mass=draw.mass * body.mass,
         cg_offset=(x, height - 0.5 * body.height),
         inertia=inertia,
-        base_heights=(back, front - draw.lean * standing.base_width),
+        base_heights=(back, front - draw.lean * base_width),
+        base_insets=insets,
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -162,13 +162,20 @@ def _drawn_room(scene: Scene, draw: Draw) -> Room:
         wall, stated = getattr(drawn, name), getattr(room, name)
         if wall is None or stated.gap > REACH:
             continue
-        alone = replace(room, **{other: None for other in WALLS_AROUND if other != name})
-        planes = planes_around(scene.pieces, alone)
-        seen = [room_seen(piece, alone, planes) for piece in scene.pieces if piece.body.shape is None]
-        behind = [around.left_wall.gap for around in seen if around.left_wall is not None]
-        most = min((REACH - (gap - stated.gap) for gap in behind if gap <= REACH), default=math.inf)
+        most = _most_gap(tuple(scene.pieces), room, name)
         drawn = replace(drawn, **{name: replace(wall, gap=min(wall.gap, most))})
     return drawn_surfaces(drawn, draw)
+
+
+@lru_cache(maxsize=64)
+def _most_gap(pieces: tuple[Piece, ...], room: Room, wall: str) -> float:
+    """Return the gap of a wall [m] up to which brackets reach it that reach it from the pieces as stated."""
+    alone = replace(room, **{other: None for other in WALLS_AROUND if other != wall})
+    planes = planes_around(pieces, alone)
+    seen = [room_seen(piece, alone, planes) for piece in pieces if piece.body.shape is None]
+    behind = [around.left_wall.gap for around in seen if around.left_wall is not None]
+    stated = getattr(room, wall).gap
+    return min((REACH - (gap - stated) for gap in behind if gap <= REACH), default=math.inf)
 
 
 def drawn_shaking(motion: Motion, scale: float, draw: SceneDraw, gravity: float) -> SpaceShaking:
@@ -177,10 +184,9 @@ def drawn_shaking(motion: Motion, scale: float, draw: SceneDraw, gravity: float)
     A floor that leans by a small angle is also shaken by −g sin(lean) along x, whatever stands on it: what a
     piece does depends neither on the order of the pieces nor on those that cannot reach it.
     """
-    acceleration = scale * SpaceShaking.of(motion).acceleration
-    acceleration[:, 0] -= gravity * math.sin(draw.lean)
+    x, y, z = scale * SpaceShaking.of(motion).acceleration.T
+    x -= gravity * math.sin(draw.lean)
     if draw.direction:
         cos, sin = math.cos(draw.direction), math.sin(draw.direction)
-        x, y = acceleration[:, 0].copy(), acceleration[:, 1].copy()
-        acceleration[:, 0], acceleration[:, 1] = cos * x - sin * y, sin * x + cos * y
-    return SpaceShaking(acceleration, motion.dt)
+        x, y = cos * x - sin * y, sin * x + cos * y
+    return SpaceShaking(np.stack([x, y, z], axis=1), motion.dt)

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
-from functools import lru_cache
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -171,7 +171,7 @@ class RoundSide(NamedTuple):
     radius: float
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Piece:
     """A body where it stands in a room, with the measures that hold it to that.
 
@@ -247,7 +247,6 @@ class Piece:
     against: str | None = None
     along: float | None = None
     gap: float = BEHIND
-    solid: Solid = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         instance_of("body", self.body, Body)
@@ -274,14 +273,20 @@ class Piece:
             for name in ("at", "heading", "on"):
                 if getattr(self, name) not in (None, 0.0, (0.0, 0.0, 0.0)):
                     raise InputError("scenario.only_one", name, other="against")
-        object.__setattr__(self, "solid", self.body.solid)
+        if any(self.body.base_heights) or self.body.length is None:
+            _ = self.solid  # which may be refused
 
-    @property
+    @cached_property
+    def solid(self) -> Solid:
+        """Its shape and mass in space."""
+        return self.body.solid
+
+    @cached_property
     def turn(self) -> NDArray[np.float64]:
         """The rotation of its frame into the room's at first, shape (3, 3)."""
         return self._facing @ rotation_by(np.asarray(self.tilt))
 
-    @property
+    @cached_property
     def round_side(self) -> RoundSide | None:
         """The side on which a cylinder or a truncated cone lies at first; None of what does not lie so."""
         rims, up = self.solid.rims, self.turn[2]
@@ -297,7 +302,7 @@ class Piece:
         lies = bool((line @ up <= low + LEVEL).all())
         return RoundSide(axis, across, line, float(rims[:, 6].mean())) if lies else None
 
-    @property
+    @cached_property
     def rest(self) -> NDArray[np.float64]:
         """The same at rest, shape (3, 3): on its base, leaning on unequal feet, or on its round side."""
         if self.round_side is not None:
@@ -310,7 +315,7 @@ class Piece:
         cos, sin = math.cos(self.heading), math.sin(self.heading)
         return np.array([[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]])
 
-    @property
+    @cached_property
     def place(self) -> NDArray[np.float64]:
         """Where its centre of gravity is at first [m], shape (3,)."""
         return np.asarray(self.at) + self.turn @ self.solid.centre_of_gravity
@@ -318,12 +323,13 @@ class Piece:
     def reach(self, direction: tuple[float, float, float]) -> tuple[float, float]:
         """Return how far its corners and round edges reach along a unit vector, least and most [m]."""
         in_frame = self.turn.T @ direction
+        ends, shape = self.body.vertices @ in_frame, self.body.shape
+        if shape is not None and len(rims := shape.rims):
+            reach = rims[:, 6] * np.linalg.norm(np.cross(rims[:, 3:6], in_frame), axis=1)
+            centres = rims[:, :3] @ in_frame
+            ends = np.concatenate([ends, centres - reach, centres + reach])
         place = float(np.dot(self.at, direction))
-        rims = self.solid.rims
-        reach = rims[:, 6] * np.linalg.norm(np.cross(rims[:, 3:6], in_frame), axis=1)
-        centres = rims[:, :3] @ in_frame
-        ends = place + np.concatenate([self.solid.vertices @ in_frame, centres - reach, centres + reach])
-        return float(ends.min()), float(ends.max())
+        return place + float(ends.min()), place + float(ends.max())
 
 
 def rotation_by(vector: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -47,6 +47,8 @@ def _springs_of(
     """Return what holds a body to the room, per unit mass; see `held_body`."""
     elements = elements[elements["kind"] != NONE]
     springs = np.zeros(len(elements), SPRING)
+    if not len(elements):
+        return springs
     springs["body"], springs["other"], springs["kind"] = body, ROOM, elements["kind"]
     points = np.stack([elements["u"], elements["y"], elements["v"]], 1)
     anchors = np.stack([elements["x"], elements["y"], elements["z"]], 1)
@@ -211,7 +213,8 @@ def held_body(
     """
     facing = rotation_by(np.array([0.0, 0.0, heading]))
     resting = _Pose.of(case, 0.0, 0.0, 0.0, 0.0)
-    first = _Pose.of(case, *(float(case[name]) for name in ("tilt", "tilt_rate", "slide", "slide_rate")))
+    begins = [float(case[name]) for name in ("tilt", "tilt_rate", "slide", "slide_rate")]
+    first = _Pose.of(case, *begins) if any(begins) else resting
     solid = resting.solid
     u, v = case["u"], case["v"]
     # the back edge of the outline, in the plane of feet that are inset
@@ -267,12 +270,11 @@ def placed(
         Measures that cannot be put in place.
     """
     room = scene.around
-    planes, floor = planes_around(scene.pieces, room) if planes is None else planes, room_row(room)
-    none = np.zeros(0, SPRING)
+    planes = planes_around(scene.pieces, room) if planes is None else planes
     bodies: list[Placed] = []
     for number, member in enumerate(scene.pieces):
         if member.body.shape is not None and not member.measures:
-            bodies.append(Placed(member, _first_pose(member), floor, none))
+            bodies.append(Placed(member, _first_pose(member), room_row(room), np.zeros(0, SPRING)))
             continue
         try:
             held = hold_piece(member, room, planes)
@@ -298,6 +300,8 @@ def _first_pose(piece: Piece) -> NDArray[np.void]:
 
 def _drawn(floor: Floor, stated: Floor, drawn_floor: Callable[[Floor], Floor]) -> Floor:
     """Return a floor of which only what a measure changed is drawn."""
+    if floor is stated:
+        return floor
     drawn, names = drawn_floor(floor), (field.name for field in fields(floor))
     changed = (name for name in names if getattr(floor, name) != getattr(stated, name))
     return replace(floor, **{name: getattr(drawn, name) for name in changed})
