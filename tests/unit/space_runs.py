@@ -57,7 +57,7 @@ def of_poses(
     trace = SimpleNamespace(peak_tilt=np.zeros(count), hit_numbers=none, hits=np.zeros(0, HIT))
     turns = matrices(attitude)
     fates = fates_of(standing, place, turns, gaps)
-    traced: Any = SimpleNamespace(bodies=bodies, trace=trace, turns=turns, fates=lambda: fates)
+    traced: Any = SimpleNamespace(bodies=bodies, trace=trace, turns=turns, fates_over_time=lambda: fates)
     return sp.Run(
         engine="space",
         names=default_names(count),

@@ -139,7 +139,7 @@ class Carrier:
     @classmethod
     def of_trace(cls, shaken: SpaceShaking, traced: Trace, height: float) -> Carrier:
         """Return a piece that moved by itself in space; the rest as for `in_space`."""
-        turn, fate, case = traced.turns[0], traced.fates()[0], traced.bodies[0].floor.copy()
+        turn, fate, case = traced.turns[0], traced.fates_over_time()[0], traced.bodies[0].floor.copy()
         case["gravity"] = traced.gravity
         failed = fate.outcome is Outcome.FAILED
         return cls.in_space(case, shaken, traced.trace.place[0], turn, fate.fell, height, failed)

@@ -103,10 +103,12 @@ class Trace:
         return Path.of(self.pieces, self.trace)
 
     def fates(self) -> list[Fate]:
-        """Return what became of the bodies."""
-        sample, repeats, *poses = self.path
-        fates = fates_of(self.pieces, *poses, self.trace.gaps, self.trace.given_up)
-        return [fate.at_all(sample, repeats) for fate in fates]
+        """Return what became of the bodies, along their `path`."""
+        return fates_of(self.pieces, *self.path[2:], self.trace.gaps, self.trace.given_up)
+
+    def fates_over_time(self) -> list[Fate]:
+        """Return the same at all samples."""
+        return [fate.at_all(self.path.sample, self.path.repeats) for fate in self.fates()]
 
     def tracks(self, dt: float) -> list[Track]:
         """Return where in the room the bodies were; see `stayput.simulation.groups`."""
@@ -317,24 +319,22 @@ def results_of(traced: Trace, time: NDArray[np.float64]) -> NDArray[np.void]:
         # the mechanics know of no body that another bears
         fell_off = fate.outcome is Outcome.FELL_OFF
         result["outcome"] = OVERTURNED_OUTCOME if fell_off else OUTCOMES.index(fate.outcome)
-        result["end"] = time[-1 if fate.fell is None else fate.fell]
-        for name, value in _until_it_fell(fate, traced.trace, body, traced.bodies[body].piece, time).items():
+        result["end"] = end = float(time[-1 if fate.fell is None else traced.path.sample[fate.fell]])
+        for name, value in _until_it_fell(fate, traced.trace, body, traced.bodies[body].piece, end).items():
             result[name] = value
         result["floor_impacts"], result["wall_impacts"] = traced.trace.hit_numbers[body, [ON_FLOOR, ON_ROOM]]
         result["events"], result["steps"] = traced.trace.hit_numbers[-1, 0], traced.trace.steps
     return results
 
 
-def _until_it_fell(
-    fate: Fate, trace: SpaceTrace, body: int, piece: Piece, time: NDArray[np.float64]
-) -> dict[str, float]:
-    """Return the largest and the last slide and tilt of a body, until it overturned or fell off."""
+def _until_it_fell(fate: Fate, trace: SpaceTrace, body: int, piece: Piece, until: float) -> dict[str, float]:
+    """Return the largest and the last slide and tilt of a body, until it overturned or fell off [s]."""
     end = None if fate.fell is None else fate.fell + 1
     tilt, way = fate.tilt[:end], fate.way[:end]
     # the engine's tilt is that at any step, but counts what a body on its round side has rolled
     seen = fate.fell is not None or piece.round_side is not None
     return {
-        "peak_slide": max(float(way.max()), _slide_at_hits(trace, body, piece, time[: len(way)][-1])),
+        "peak_slide": max(float(way.max()), _slide_at_hits(trace, body, piece, until)),
         "residual_slide": float(way[-1]),
         "peak_tilt": float(tilt.max() if seen else trace.peak_tilt[body]),
         "residual_tilt": float(tilt[-1]),
@@ -442,18 +442,19 @@ def run_of_trace(traced: Trace, joints: Sequence[Joint], room: Room, motion: Mot
 
 def piece_runs(traced: Trace, time: NDArray[np.float64]) -> tuple[PieceRun, ...]:
     """Return what bodies did; see `results_of`."""
-    turns, fates, trace, runs = traced.turns, traced.fates(), traced.trace, list[PieceRun]()
+    turns, fates, trace, runs = traced.turns, traced.fates_over_time(), traced.trace, list[PieceRun]()
     for b, (body, fate) in enumerate(zip(traced.bodies, fates, strict=True)):
         piece = body.piece
         overturned, fell_off = (
             math.nan if sample is None else float(time[sample]) for sample in (fate.overturned, fate.fell_off)
         )
+        end = float(time[-1 if fate.fell is None else fate.fell])
         runs.append(
             PieceRun(
                 fate.outcome,
                 overturned,
                 fell_off,
-                **_until_it_fell(fate, trace, b, piece, time),
+                **_until_it_fell(fate, trace, b, piece, end),
                 **dict(zip(IMPACTS, trace.hit_numbers[b].tolist(), strict=True)),
                 tilt=fate.tilt,
                 slide=fate.way,

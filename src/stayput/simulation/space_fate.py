@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from stayput.mechanics.columns import ROCKING_TILT
 from stayput.simulation.outcome import Outcome
 from stayput.simulation.space_engine import TOUCHES, Gaps
-from stayput.simulation.space_records import matrices, moved_samples
+from stayput.simulation.space_records import matrices
 
 if TYPE_CHECKING:
     from stayput.model.solid import Solid
@@ -145,7 +145,9 @@ def tilts(rest: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.fl
     return np.arctan2(np.hypot(x, y), z)
 
 
-def _along(turn: NDArray[np.float64], axis: int, vector: NDArray[np.float64]) -> NDArray[np.float64]:
+def _along(
+    turn: NDArray[np.float64], axis: int, vector: NDArray[np.float64] | Sequence[NDArray[np.float64]]
+) -> NDArray[np.float64]:
     """Return the component of a turned vector along an axis; of many samples faster than a product."""
     a, b, c = vector
     return a * turn[..., axis, 0] + b * turn[..., axis, 1] + c * turn[..., axis, 2]
@@ -225,16 +227,16 @@ def slides(piece: Piece, place: NDArray[np.float64], turn: NDArray[np.float64]) 
     side = piece.round_side
     feet = (piece.solid.base_points if side is None else side.line) - piece.solid.centre_of_gravity
     lowest = np.stack([_along(turn, 2, foot) for foot in feet]).argmin(axis=0)
-    lows = feet[lowest].T
     first = piece.place + feet @ piece.turn.T
     foot = first[:, 2].argmin()
     stood = (first[foot] + (feet - feet[foot]) @ piece.rest.T)[:, :2]
     middle = 0.5 * (stood.min(axis=0) + stood.max(axis=0))
-    x, y = (stood[lowest] - middle).T
+    # of contiguous numbers many are worked out faster
+    lows, (x, y) = [along[lowest] for along in feet.T], [along[lowest] for along in (stood - middle).T]
     angle = yaws(piece.rest, turn)
     cos, sin = np.cos(angle), np.sin(angle)
     stays = cos * x - sin * y, sin * x + cos * y
-    return np.stack([place[:, i] + _along(turn, i, lows) - middle[i] - stays[i] for i in range(2)], axis=1)
+    return np.stack([place[:, i] + _along(turn, i, lows) - middle[i] - stays[i] for i in range(2)]).T
 
 
 def heights(
@@ -304,8 +306,9 @@ class Fate(NamedTuple):
 
     def at_all(self, sample: NDArray[np.intp], repeats: NDArray[np.intp]) -> Fate:
         """Return it at all samples, of that at some of them; see `moved_samples`."""
-        falls = (None if at is None else int(sample[at]) for at in (self.overturned, self.fell_off))
-        return Fate(self.outcome, *falls, self.tilt[repeats], self.way[repeats], self.slide[repeats])
+        overturned, fell_off = (None if at is None else int(sample[at]) for at in self[1:3])
+        over_time = self.tilt[repeats], self.way[repeats], self.slide[repeats]
+        return Fate(self.outcome, overturned, fell_off, *over_time)
 
 
 def fates_of(
@@ -333,14 +336,14 @@ def fates_of(
     bears = _bears(pieces, first)
     fates: list[Fate] = []
     for b, piece in enumerate(pieces):
-        poses, bearers = _poses(piece, place[b], turn[b]), np.flatnonzero(bears[:, b]).tolist()
-        tilt = tilts(piece.rest, poses.turns)[poses.repeats]
-        seen = [_poses(piece, *_seen_from(a, b, place, turn)) for a in bearers] or [poses]
-        slid = max((_slid(piece, each) for each in seen), key=lambda each: each.way.max())
+        turns, bearers = unrolled(piece, turn[b]), np.flatnonzero(bears[:, b]).tolist()
+        tilt = tilts(piece.rest, turns)
+        seen = [_seen_from(a, b, place, turn) for a in bearers] or [(place[b], turn[b])]
+        slid = max((_slid(piece, *poses) for poses in seen), key=lambda each: each.way.max())
         if given_up or not np.isfinite(place[b]).all():
             fates.append(Fate(Outcome.FAILED, None, None, tilt, slid.way, slid.slide))
             continue
-        overturned = _first(lies_on_floor(piece, poses.places, poses.turns)[poses.repeats])
+        overturned = _first(_lies(piece, place[b], turns, tilt))
         if overturned is None and touching[b].any():
             overturned = _since(tilt > LIES)
         fell_off = _falls_off(b, pieces, place, turn, bears, touching)
@@ -357,31 +360,13 @@ def fates_of(
             outcome = Outcome.ROCKED
         elif slid.rolled:
             outcome = Outcome.ROLLED
-        elif np.ptp(poses.places[:, 2]) > LIFTED:  # as in the plane, in the air too
+        elif np.ptp(place[b, :, 2]) > LIFTED:  # as in the plane, in the air too
             outcome = Outcome.ROCKED
         else:
             moves = slid.way.max() > SLID or slid.turned > ROCKING_TILT
             outcome = Outcome.SLID if moves else Outcome.RESTED
         fates.append(Fate(outcome, overturned, fell_off, tilt, slid.way, slid.slide))
     return fates
-
-
-class _Poses(NamedTuple):
-    """The poses of a body at the samples at which it moves, and which of them each sample repeats.
-
-    ``turns`` are the rotations without what a body on its round side has rolled, ``turned`` with it.
-    """
-
-    places: NDArray[np.float64]
-    turned: NDArray[np.float64]
-    turns: NDArray[np.float64]
-    repeats: NDArray[np.intp]
-
-
-def _poses(piece: Piece, place: NDArray[np.float64], turn: NDArray[np.float64]) -> _Poses:
-    moved, repeats = moved_samples(place, turn)
-    turned = _chosen(turn, moved)
-    return _Poses(_chosen(place, moved), turned, unrolled(piece, turned), repeats)
 
 
 class _Slid(NamedTuple):
@@ -393,14 +378,17 @@ class _Slid(NamedTuple):
     turned: float
 
 
-def _slid(piece: Piece, poses: _Poses) -> _Slid:
+def _slid(piece: Piece, place: NDArray[np.float64], turn: NDArray[np.float64]) -> _Slid:
     """Return how a body has slid over what it stands on; see `slides`."""
-    slide, turns = slides(piece, poses.places, poses.turns), poses.turns
-    ways = np.linalg.norm(slide, axis=1)
-    most = int(ways.argmax())
-    rolls = max(SLID, 2.0 * np.linalg.norm((slide - rolled(piece, poses.turned))[most])) < ways[most]
+    turns = unrolled(piece, turn)
+    slide, rolls = slides(piece, place, turns), False
+    x, y = slide.T
+    ways = np.sqrt(x * x + y * y)
+    if piece.round_side is not None:
+        most = int(ways.argmax())
+        rolls = max(SLID, 2.0 * np.linalg.norm((slide - rolled(piece, turn))[most])) < ways[most]
     turn_in_plan = np.abs(turns[:, :2, :2] - turns[0, :2, :2]).max()
-    return _Slid(slide[poses.repeats], ways[poses.repeats], bool(rolls), float(turn_in_plan))
+    return _Slid(slide, ways, bool(rolls), float(turn_in_plan))
 
 
 def _seen_from(
@@ -414,23 +402,25 @@ def _seen_from(
     return place[b, 0] + (places - places[0]) @ first.T, turn[b, 0] + first @ (turns - turns[0])
 
 
-def _chosen(poses: NDArray[np.float64], moved: NDArray[np.intp]) -> NDArray[np.float64]:
-    """Return some samples of poses, in whose memory each number is beside that of the next sample."""
-    return np.moveaxis(np.take(np.moveaxis(poses, 0, -1), moved, axis=-1), -1, 0)
-
-
 def lies_on_floor(piece: Piece, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Return whether a body is tilted by 90°, or touches the floor with more than its base, shape (samples,).
 
     More than its base is what is above the lowest tenth of its height, and above its feet. What lies on its
     round side at first has overturned where it stands on an end: where it is tilted by more than 45°.
     """
+    return _lies(piece, place, turn, tilts(piece.rest, turn))
+
+
+def _lies(
+    piece: Piece, place: NDArray[np.float64], turn: NDArray[np.float64], tilt: NDArray[np.float64]
+) -> NDArray[np.bool_]:
+    """Return the same, given its tilt [rad]."""
     if piece.round_side is not None:
-        return tilts(piece.rest, turn) > LIES
+        return tilt > LIES
     z = piece.solid.vertices[:, 2]
     base = max(z.min() + BASE * np.ptp(z), piece.solid.base_points[:, 2].max())
     low = heights(piece.solid, place, turn, above=float(base))
-    return (tilts(piece.rest, turn) >= math.pi / 2) | (low <= ON_THE_FLOOR)
+    return (tilt >= math.pi / 2) | (low <= ON_THE_FLOOR)
 
 
 def _bears(pieces: Sequence[Piece], first: Gaps) -> NDArray[np.bool_]:
@@ -438,6 +428,8 @@ def _bears(pieces: Sequence[Piece], first: Gaps) -> NDArray[np.bool_]:
 
     What stands on the floor too is borne by that.
     """
+    if len(pieces) == 1:
+        return np.zeros((1, 1), np.bool_)
     reach = [piece.reach((0.0, 0.0, 1.0)) for piece in pieces]
     low, top = (np.array(ends) for ends in zip(*reach, strict=True))
     below = top[:, np.newaxis] <= low + ON_THE_FLOOR

@@ -186,7 +186,7 @@ def _add(body: Any, solid: Solid, floor: np.void, lists: tuple[list[Any], ...]) 
             [float(floor[f"{edge}_{kind}_friction"]) for kind in ("static", "kinetic")]
             for edge in (f"{side}_edge", "edge")
         )
-        alike = np.isnan(stated).all()
+        alike = math.isnan(stated[0]) and math.isnan(stated[1])
         return [mu if alike or mu >= 0.0 else other for mu, other in zip(stated, usual, strict=True)]
 
     back, front = friction("left"), friction("right")
@@ -194,25 +194,27 @@ def _add(body: Any, solid: Solid, floor: np.void, lists: tuple[list[Any], ...]) 
     def in_axes(place: NDArray[np.float64]) -> NDArray[np.float64]:
         return (place - about) @ axes
 
-    vertices = in_axes(solid.vertices)
+    corners = solid.vertices
+    vertices = in_axes(corners)
     first = len(points)
     on_rim: NDArray[np.bool_] = np.any(on_rims(solid), axis=0)
-    above = _above_feet(solid, solid.vertices)
+    above = _above_feet(solid, corners)
     on_floor = ~on_rim & above
     body["mass"] = solid.mass
     body["i1"], body["i2"], body["i3"] = moments
     body["rm"] = 1.0 / math.sqrt(solid.mass)
     body["r1"], body["r2"], body["r3"] = 1.0 / np.sqrt(moments)
     body["first_point"], body["hull"] = first, len(vertices)
+    columns = vertices, corners[:, 0] - about[0], on_floor, on_rim
     points += [
-        (*v, *(back if x < 0.0 else front), int(f), int(not r))
-        for v, x, f, r in zip(vertices, solid.vertices[:, 0] - about[0], on_floor, on_rim, strict=True)
+        (*v, *(back if x < 0.0 else front), f, not r)
+        for v, x, f, r in zip(*(column.tolist() for column in columns), strict=True)
     ]
     if solid.feet is not None:
-        stands = np.concatenate([solid.feet, _cut_off(solid.vertices[~above], solid.feet)])
+        stands = np.concatenate([solid.feet, _cut_off(corners[~above], solid.feet)])
         points += [
             (*v, *(back if x < 0.0 else front), 1, 0)
-            for v, x in zip(in_axes(stands), stands[:, 0] - about[0], strict=True)
+            for v, x in zip(in_axes(stands).tolist(), (stands[:, 0] - about[0]).tolist(), strict=True)
         ]
     body["restitution"], body["landing_place"] = floor["floor_restitution"], floor["landing_place"]
     for kind in ("static", "kinetic"):
@@ -229,11 +231,11 @@ def _add(body: Any, solid: Solid, floor: np.void, lists: tuple[list[Any], ...]) 
     ]
     body["first_face"], body["faces"] = len(faces), len(solid.faces)
     body["first_edge"] = len(edges)
-    for face, normal in zip(solid.faces, solid.normals @ axes, strict=True):
-        corners = (first + face).tolist()
-        faces.append((*normal, len(loops), len(corners)))
-        loops += corners
-        edges += [(i, j) for i, j in zip(corners, [*corners[1:], corners[0]], strict=True) if i < j]
+    for face, normal in zip(solid.faces, (solid.normals @ axes).tolist(), strict=True):
+        around = (first + face).tolist()
+        faces.append((*normal, len(loops), len(around)))
+        loops += around
+        edges += [(i, j) for i, j in zip(around, [*around[1:], around[0]], strict=True) if i < j]
     body["edges"] = len(edges) - body["first_edge"]
 
 
