@@ -105,9 +105,7 @@ def outline_of(corners: NDArray[np.float64]) -> NDArray[np.float64]:
     return plan[ConvexHull(plan).vertices]
 
 
-def tracks_of(
-    pieces: Sequence[Piece], trace: SpaceTrace | Run, dt: float, path: Path | None = None
-) -> list[Track]:
+def tracks_of(pieces: Sequence[Piece], trace: SpaceTrace | Run, dt: float, path: Path) -> list[Track]:
     """Return the tracks of the bodies of a run.
 
     Parameters
@@ -118,10 +116,9 @@ def tracks_of(
         How they moved.
     dt : float
         Time between samples [s].
-    path : Path, optional
-        Their poses, where they are known.
+    path : Path
+        Their poses where they move.
     """
-    path = Path.of(pieces, trace) if path is None else path
     tracks: list[Track] = []
     for b, piece in enumerate(pieces):
         shape, place, turn = ConvexShape.of(piece.solid), path.place[b], path.turn[b]

@@ -100,7 +100,7 @@ class Trace:
     @cached_property
     def path(self) -> Path:
         """Their poses where they move."""
-        return Path.of(self.pieces, self.trace)
+        return Path.of(self.trace.place, frames_of(self.pieces, self.trace.attitude))
 
     def fates(self) -> list[Fate]:
         """Return what became of the bodies, along their `path`."""

@@ -19,8 +19,6 @@ from stayput.model.flat_fields import WALLS_AND_CEILING
 if TYPE_CHECKING:
     from stayput.model.solid import Solid
     from stayput.simulation.piece import Piece
-    from stayput.simulation.run import Run
-    from stayput.simulation.space_engine import SpaceTrace
 
 
 def quaternion_of(turn: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -133,11 +131,10 @@ class Path(NamedTuple):
     turn: NDArray[np.float64]
 
     @classmethod
-    def of(cls, pieces: Sequence[Piece], trace: SpaceTrace | Run) -> Path:
-        """Return that of the bodies of a run."""
-        sample, repeats = moved_samples(*trace.place, *trace.attitude)
-        turn = matrices(frames_of(pieces, trace.attitude[:, sample]))
-        return cls(sample, repeats, trace.place[:, sample], turn)
+    def of(cls, place: NDArray[np.float64], attitude: NDArray[np.float64]) -> Path:
+        """Return that of bodies from where they were and how their frames were turned at all samples."""
+        sample, repeats = moved_samples(*place, *attitude)
+        return cls(sample, repeats, place[:, sample], matrices(attitude[:, sample]))
 
 
 def world_of(

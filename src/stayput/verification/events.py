@@ -21,6 +21,7 @@ from stayput.montecarlo.scenes import FALLS, RoomEvents
 from stayput.simulation import groups
 from stayput.simulation.groups import Touching, Track, at_rest, body_at, bounds_of, touching_of
 from stayput.simulation.piece import Piece, box_of, separation
+from stayput.simulation.space_records import Path
 
 if TYPE_CHECKING:
     from stayput.montecarlo.runs import Runs
@@ -386,7 +387,8 @@ def happens_in(run: Run) -> RunInRoom:
     """Return what happens in a run of a room."""
     plan = run.plan
     assert plan is not None
-    tracks = groups.tracks_of(run.standing, run, run.motion.dt)
+    path = Path.of(run.place, run.attitude)
+    tracks = groups.tracks_of(run.standing, run, run.motion.dt, path)
     seen = RoomEventDetector()(plan, tracks)
     return RunInRoom(
         tuple(
