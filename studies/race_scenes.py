@@ -57,7 +57,7 @@ SHELF_AND_BED: dict[str, Any] = {
         {"name": "shelf", "preset": "bookcase", "against": "left_wall", "along": 1.0},
         {"name": "chest", "preset": "chest", "against": "right_wall", "along": 0.6},
     ],
-    "places": [{"kind": "bed", "at": [1.6, 1.0], "heading": 1.5708}],
+    "places": [{"kind": "bed", "at": [1.5, 1.0], "heading": 1.5708}],
     "shaking": {"intensity": "6-upper"},
 }
 
