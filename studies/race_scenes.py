@@ -116,8 +116,9 @@ def scenario_of(stated: dict[str, Any] | Path) -> sp.Scenario:
     """
     scenario = sp.read(stated) if isinstance(stated, Path) else sp.Scenario.parse(stated)
     tables = scenario.stated_keys()
-    given = tables["shaking"].items()
-    shaking: dict[str, Any] = {key: value for key, value in given if key not in OF_ONE_MOTION}
+    shaking: dict[str, Any] = {
+        key: value for key, value in tables["shaking"].items() if key not in OF_ONE_MOTION
+    }
     shaking.setdefault("intensity", "6-upper")
     suite = {**shaking.get("suite", {}), "count": MOTIONS}
     asked = {**tables.get("uncertainty", {}), "samples": MOTIONS * DRAWS}

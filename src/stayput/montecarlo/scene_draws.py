@@ -172,10 +172,10 @@ def _most_gap(pieces: tuple[Piece, ...], room: Room, wall: str) -> float:
     """Return the gap of a wall [m] up to which brackets reach it that reach it from the pieces as stated."""
     alone = replace(room, **{other: None for other in WALLS_AROUND if other != wall})
     planes = planes_around(pieces, alone)
-    seen = [room_seen(piece, alone, planes) for piece in pieces if piece.body.shape is None]
-    behind = [around.left_wall.gap for around in seen if around.left_wall is not None]
-    stated = getattr(room, wall).gap
-    return min((REACH - (gap - stated) for gap in behind if gap <= REACH), default=math.inf)
+    rooms = [room_seen(piece, alone, planes) for piece in pieces if piece.body.shape is None]
+    gaps = [around.left_wall.gap for around in rooms if around.left_wall is not None]
+    stated_gap = getattr(room, wall).gap
+    return min((REACH - (gap - stated_gap) for gap in gaps if gap <= REACH), default=math.inf)
 
 
 def drawn_shaking(motion: Motion, scale: float, draw: SceneDraw, gravity: float) -> SpaceShaking:

@@ -93,14 +93,19 @@ class Trace:
         return [body.piece for body in self.bodies]
 
     @cached_property
+    def frames(self) -> NDArray[np.float64]:
+        """The attitudes of the bodies' frames, shape (bodies, samples, 4)."""
+        return frames_of(self.pieces, self.trace.attitude)
+
+    @cached_property
     def turns(self) -> NDArray[np.float64]:
         """The rotations of the bodies' frames, shape (bodies, samples, 3, 3)."""
-        return matrices(frames_of(self.pieces, self.trace.attitude))
+        return matrices(self.frames)
 
     @cached_property
     def path(self) -> Path:
         """Their poses where they move."""
-        return Path.of(self.trace.place, frames_of(self.pieces, self.trace.attitude))
+        return Path.of(self.trace.place, self.frames)
 
     def fates(self) -> list[Fate]:
         """Return what became of the bodies, along their `path`."""
@@ -414,7 +419,6 @@ def run_of_trace(traced: Trace, joints: Sequence[Joint], room: Room, motion: Mot
         for hit in trace.hits
     )
     time = motion.dt * np.arange(len(motion.x), dtype=np.float64)
-    attitude = frames_of(traced.pieces, trace.attitude)
     return Run(
         "space",
         default_names(len(traced.pieces)),
@@ -423,7 +427,7 @@ def run_of_trace(traced: Trace, joints: Sequence[Joint], room: Room, motion: Mot
         motion,
         time,
         trace.place,
-        attitude,
+        traced.frames,
         trace.velocity,
         trace.rotation_rate,
         tuple(devices),

@@ -338,8 +338,8 @@ def fates_of(
     for b, piece in enumerate(pieces):
         turns, bearers = unrolled(piece, turn[b]), np.flatnonzero(bears[:, b]).tolist()
         tilt = tilts(piece.rest, turns)
-        seen = [_seen_from(a, b, place, turn) for a in bearers] or [(place[b], turn[b])]
-        slid = max((_slid(piece, *poses) for poses in seen), key=lambda each: each.way.max())
+        relative_poses = [_seen_from(a, b, place, turn) for a in bearers] or [(place[b], turn[b])]
+        slid = max((_slid(piece, *poses) for poses in relative_poses), key=lambda each: each.way.max())
         if given_up or not np.isfinite(place[b]).all():
             fates.append(Fate(Outcome.FAILED, None, None, tilt, slid.way, slid.slide))
             continue
@@ -383,12 +383,12 @@ def _slid(piece: Piece, place: NDArray[np.float64], turn: NDArray[np.float64]) -
     turns = unrolled(piece, turn)
     slide, rolls = slides(piece, place, turns), False
     x, y = slide.T
-    ways = np.sqrt(x * x + y * y)
+    distance = np.sqrt(x * x + y * y)
     if piece.round_side is not None:
-        most = int(ways.argmax())
-        rolls = max(SLID, 2.0 * np.linalg.norm((slide - rolled(piece, turn))[most])) < ways[most]
+        most = int(distance.argmax())
+        rolls = max(SLID, 2.0 * np.linalg.norm((slide - rolled(piece, turn))[most])) < distance[most]
     turn_in_plan = np.abs(turns[:, :2, :2] - turns[0, :2, :2]).max()
-    return _Slid(slide, ways, bool(rolls), float(turn_in_plan))
+    return _Slid(slide, distance, bool(rolls), float(turn_in_plan))
 
 
 def _seen_from(
