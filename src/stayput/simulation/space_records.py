@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stayput.mechanics.devices.columns import DEVICE
-from stayput.mechanics.space.columns import CONTACT, FACE, PAIR, PLANE, POINT, POSE, PULL, RIM, SOLID
+from stayput.mechanics.space.columns import CONTACT, FACE, FLOW, PAIR, PLANE, POINT, POSE, PRESSING, PULL, RIM, SOLID
+from stayput.mechanics.space.constants import MOST_PRESSING
 from stayput.mechanics.space.pairs import MOST_TOUCHING
 from stayput.mechanics.space.touching import RIM_POINTS
 from stayput.model.even_base import friction_ratio
@@ -361,4 +362,14 @@ def scratch_of(world: tuple[Any, ...], devices: int) -> tuple[Any, ...]:
         np.zeros(devices, PULL),
         np.zeros(devices, DEVICE),
         np.zeros(5),
+        (
+            np.zeros(1, FLOW),
+            np.zeros(MOST_PRESSING, PRESSING),
+            np.zeros((MOST_PRESSING, 4, 6)),
+            np.zeros((6, 7)),
+            np.zeros((2, 6)),
+            np.zeros((7, 13)),
+            np.zeros((6, 13)),
+            np.zeros(features),
+        ),
     )

@@ -135,6 +135,34 @@ def damps(spring, pull):
     return pull.lost == 0 and (spring.damping[col.NORMAL] > 0.0 or spring.damping[col.TANGENT] > 0.0)
 
 
+@inline
+def _forces(spring, pull, rate):
+    """Return the force along the normal, and that along the plane, a vector, at a rate; note how large they are."""
+    n = normal_of(pull)
+    along = dot(n, rate)
+    F = _along_normal(spring, pull, along)
+    shear = 0.0, 0.0, 0.0
+    if spring.kind != col.AXIAL:
+        shear = _along_plane(spring, pull, added(rate, -along, n), F)
+    pull.force, pull.shear = F, norm(shear)
+    return F, shear
+
+
+@inner
+def loads_of(springs, pulls, poses):
+    """Return the force and the moment about G of all devices on a lone body that is and moves as it does."""
+    force, moment = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
+    stretch(springs, pulls, poses)
+    for k in range(springs.shape[0]):
+        spring, pull = springs[k], pulls[k]
+        if pull.lost:
+            continue
+        F, shear = _forces(spring, pull, (pull.ux, pull.uy, pull.uz))
+        f = scaled(-1.0, added(shear, F, normal_of(pull)))
+        force, moment = added(force, 1.0, f), added(moment, 1.0, cross(lever_of_pull(pull), f))
+    return force, moment
+
+
 @inner
 def change_of_impulse(spring, pull, poses, h):
     """Return by how much the impulse of a device differs from that of the present velocities.
@@ -142,20 +170,13 @@ def change_of_impulse(spring, pull, poses, h):
     Set are the forces at these, and by how much the impulse falls with the velocity.
     """
     rate = added(_rate(spring, pull, poses), 1.0, (pull.ux, pull.uy, pull.uz))
-    rate = scaled(0.5, rate)
-    n = normal_of(pull)
-    along = dot(n, rate)
-    F = _along_normal(spring, pull, along)
-    shear = 0.0, 0.0, 0.0
+    F, shear = _forces(spring, pull, scaled(0.5, rate))
     pull.cn = pull.ct = 0.0
     if -spring.limit_minus[col.NORMAL] < F < spring.limit_plus[col.NORMAL] and (F != 0.0 or _bonded(spring)):
         pull.cn = 0.5 * h * spring.damping[col.NORMAL]
-    if spring.kind != col.AXIAL:
-        shear = _along_plane(spring, pull, added(rate, -along, n), F)
-    pull.force, pull.shear = F, norm(shear)
     if 0.0 < pull.shear < _most_shear(spring, F) * (1.0 - 1e-12):
         pull.ct = 0.5 * h * spring.damping[col.TANGENT]
-    return added(scaled(-h, added(shear, F, n)), -1.0, (pull.px, pull.py, pull.pz))
+    return added(scaled(-h, added(shear, F, normal_of(pull))), -1.0, (pull.px, pull.py, pull.pz))
 
 
 @inner

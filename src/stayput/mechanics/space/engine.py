@@ -34,6 +34,9 @@ from stayput.mechanics.space.events import (
     note_weight,
     switch_now,
 )
+from stayput.mechanics.space.constants import FLOW_WORK, IMPULSE_TIME, STEP_AFTER_EVENT
+from stayput.mechanics.space.flow import begin_flow, keep_flow, note_flow
+from stayput.mechanics.space.flow_step import GOES_ON, HITS, LANDS, advance_flow
 from stayput.mechanics.space.pairs import deepest, place_corners, touch
 from stayput.mechanics.space.rest import (
     SLIPS,
@@ -43,6 +46,7 @@ from stayput.mechanics.space.rest import (
     note_stances,
     on_floor_alone,
     stays_until,
+    surely_stays,
 )
 from stayput.mechanics.space.solve import any_closes_fast
 from stayput.mechanics.space.stepping import RUBS, fastest, mean_push, moves, push_at, refine, step
@@ -106,6 +110,7 @@ MOST_UNCONVERGED, FEW, MANY = 0.05, 20, 1000
 up to a few, as in a moment, and with many at once.
 """
 
+FLOWS = True
 LYING = 1.0 - math.cos(math.radians(89.0))
 """1 − cos of the tilt from which on a body lies."""
 
@@ -391,10 +396,23 @@ def run_in_space(
     pace[LENGTH], pace[EVENT], pace[ROUGH] = longest, LEAST * longest, 0.0
     pace[SHORT], pace[LIMIT] = 0.0, least_step
     noted, bears, why = False, False, STAYS
+    memory = scratch[12]
+    flow, flowed, stayed = memory[0][0], False, False
+    flow.ready = 0
     k = 0
     while k < acceleration.shape[0] - 1:
         a0, a1, start = acceleration[k], acceleration[k + 1], dt * k
         t = 0.0
+        if stayed and alone and surely_stays(bodies, now, floor, push_at(a0, a1, 1.0, gravity), scratch[6]):
+            note_pose(histories, k + 1, now)
+            note_weight(histories, k + 1, bodies, push_at(a0, a1, 1.0, gravity), scratch[6][4])
+            note_forces(held[1], forces[k + 1])
+            lies = lies + dt if _all_lie(bodies, now) else 0.0
+            if lies > numbers[3]:
+                _stay(bodies, now, histories, k + 2)
+                return
+            k += 1
+            continue
         while t < dt:
             # what preloaded devices bear at rest is known after a step
             if (last > 0.0 or held[0].shape[0] == 0) and _at_rest(now):
@@ -412,7 +430,30 @@ def run_in_space(
                     break
                 if why == SLIPS and on_floor_alone(contacts, count, b):
                     let_slip(world, b, kept[0])
+                if alone and part * dt > t:
+                    pace[LENGTH] = STEP_AFTER_EVENT
                 t = part * dt
+                flow.ready = 0
+            if flow.ready:
+                h, how = advance_flow(world, held, poses, acceleration, k, t, numbers, scratch[9:11], memory, work)
+                work[2] += FLOW_WORK
+                if h > 0.0:
+                    now[0] = trial[0]
+                    note_peaks(bodies, now, peaks)
+                    t = dt if t + h >= dt - 1e-12 else t + h
+                    flowed, noted, why = True, False, TIPS
+                if h == 0.0 or how != GOES_ON:
+                    flow.ready = 0
+                    if flowed:
+                        last = IMPULSE_TIME
+                        note_all_gaps(world, now, scratch, gaps[0])
+                        keep_flow(world, kept[0], gaps[0], how, memory)
+                        if how == LANDS:
+                            pace[LENGTH], pace[ROUGH] = longest, 1.0
+                        else:
+                            pace[LENGTH] = least_step if how == HITS else STEP_AFTER_EVENT
+                if h > 0.0:
+                    continue
             if work[2] > work[3] or work[1] > max(MANY, MOST_UNCONVERGED * work[0]):
                 _stay(bodies, now, histories, k + 1)
                 return
@@ -440,10 +481,16 @@ def run_in_space(
                 last = h
             for b in range(bodies.shape[0]):
                 now[b] = trial[b]
+            flowed = False
+            if alone and FLOWS:
+                begin_flow(world, now, contacts, count, last, gravity, memory)
+                if not flow.ready and any_closes_fast(contacts, count):
+                    pace[LENGTH] = STEP_AFTER_EVENT
             note_peaks(bodies, now, peaks)
             _copy_rows(gaps[1:2], gaps[0:1])
             t = max(dt, h) if t + h >= dt - 1e-12 else t + h
             noted, why = False, TIPS
+        stayed = why == STAYS
         if t > dt:  # it has taken two
             k += 1
             note_pose(histories, k, poses[2])
@@ -451,6 +498,8 @@ def run_in_space(
         note_pose(histories, k + 1, now)
         if why == STAYS:
             note_weight(histories, k + 1, bodies, push_at(a0, a1, 1.0, gravity), scratch[6][4])
+        elif flowed:
+            note_flow(histories, k + 1, flow)
         else:
             note_pressing(histories, k + 1, contacts, count, last)
         note_forces(held[1], forces[k + 1])

@@ -163,6 +163,24 @@ def stays_at_rest(bodies, poses, floor, push, stances):
 
 
 @inner
+def surely_stays(bodies, poses, floor, push, stances):
+    """Return whether a lone body without loads surely stays at rest: `stays_at_rest` without roots."""
+    sides, counts, discs, frictions, loads, _ = stances
+    weight = -push[2]
+    if discs[0, 2] != 0.0 or counts[0] == 0 or weight <= 0.0:
+        return False
+    for axis in range(6):
+        if loads[0, axis] != 0.0:
+            return False
+    height, first = poses[0].z - floor.offset, bodies[0].first_point
+    for i in range(first, first + counts[0]):
+        if height * (sides[i, 0] * push[0] + sides[i, 1] * push[1]) > weight * sides[i, 2]:
+            return False
+    most = frictions[0] * weight
+    return push[0] * push[0] + push[1] * push[1] < most * most
+
+
+@inner
 def stays_until(bodies, poses, floor, a0, a1, gravity, part, stances):
     """Return until when, from ``part`` of the time between two samples on, the floor alone holds all at rest.
 

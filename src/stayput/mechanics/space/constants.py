@@ -1,0 +1,78 @@
+"""Constants of the flow, the motion of a lone body between events (`stayput.mechanics.space.flow`)."""
+
+MOST_PRESSING = 8
+"""Most contacts that press in a flow: four corners on the floor and four on walls. With more the general law
+goes on.
+"""
+
+PRESSING_SHARE = 1e-6
+"""Share of the weight from which on a contact presses: below it a force is what the solver leaves."""
+
+CONSTRAINT_PENALTY = 1e8
+"""Penalty of an acceleration that a contact forbids, times the inverse mass that it sees. It leaves 1e-7 m/s²
+of gravity; forces are exact to rounding times this, 1e-8. Ten times less would leave ten times more.
+"""
+
+PRESSURE_ROUNDS = 12
+"""Most rounds of forces and centre of pressure; two or three are usual."""
+
+PRESSURE_TOLERANCE = 1e-9
+"""How far the centre of pressure may move in the last of them [m]: far below what errors of steps see."""
+
+SLIP_BEGIN_SPEED, SLIP_END_SPEED = 5e-3, 3e-3
+"""Least slip of a contact when a flow begins, and that at which it ends [m/s]. Across a slip u friction turns
+it at the rate μ g/u, which is stiff below: there the general, implicit steps go on. The two are apart so that
+a flow that begins does not end at once.
+"""
+
+PINNED_SPEED = 1e-4
+"""Speed up to which a body on three or more contacts is taken to come to rest [m/s]: the general law tells."""
+
+FLOW_TOLERANCE = 1e-4
+"""Error of a step over its length up to which it is accepted [m/s]: 1 µm in a sample of 10 ms."""
+
+VELOCITY_ERROR_TIME = 0.01
+"""Time for which an error of velocities is taken to last, beside one of places [s]."""
+
+LONGEST_FLOW_STEP, SHORTEST_FLOW_STEP = 0.05, 1e-5
+"""Longest and shortest step [s]. What needs shorter ones, such as a strong damper, is stiff and left to the
+general law.
+"""
+
+SHORTEST_FLOW = 1e-8
+"""Time to an event below which a flow is over before it begins [s]."""
+
+STEP_SAFETY, LEAST_GROWTH, MOST_GROWTH = 0.9, 0.2, 4.0
+"""Factors on the length of the next step: on the one that the error allows, and its bounds."""
+
+MOST_STEP_TRIES = 16
+"""Most lengths that a step is tried with."""
+
+PENETRATION = 1e-8
+"""How much deeper than at first a point may go into a plane in a flow [m], as in general steps."""
+
+GAP_TOLERANCE = 5e-8
+"""Gap at which two are taken to meet [m]: half of that at which general steps close a contact."""
+
+MARGIN_TOLERANCE = 1e-6
+"""How far beyond the margin of its forces, over the weight, a flow ends."""
+
+EVENT_TIME_TOLERANCE = 1e-9
+"""How exactly the time of an event is found where neither of these is reached [s]."""
+
+MOST_EVENT_LOOKS = 60
+"""Most evaluations to find it; bisection alone takes 24 of 10 ms."""
+
+STEP_AFTER_EVENT = 2e-5
+"""Length of the general step after an event, which tells how it goes on [s]. Ten times longer ones made the
+error of a rocking box two times larger.
+"""
+
+IMPULSE_TIME = 1e-3
+"""Length of the step as of which forces of a flow are kept for the next general one [s]."""
+
+DEVICE_LOSS_STEP = 2.5e-4
+"""Longest step in which a device is lost [s]: that of general steps between whose ends contacts change."""
+
+FLOW_WORK = 25.0
+"""Work of a step on the budget of a run, in updates of a contact."""

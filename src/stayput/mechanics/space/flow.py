@@ -1,0 +1,106 @@
+"""The flow of a lone body: its smooth motion between events, while the same contacts press, stick and slip.
+
+The contact problem of a step then has one solution that is smooth in time, and the motion is an ordinary
+differential equation: on an edge that sticks of one degree of freedom (`stayput.mechanics.space.stuck_edge`), on
+other contacts of six with their accelerations forbidden (`stayput.mechanics.space.active_set`), in flight without
+any. It is integrated from sample to sample (`stayput.mechanics.space.flow_step`) until a contact lifts, friction
+gives way, what slips is about to stand, a device fails, or a point meets a plane. There one step of the general
+law with all contacts (`stayput.mechanics.space.stepping`) tells how it goes on.
+"""
+
+from __future__ import annotations
+
+import math
+
+from stayput.compiling import inline, inner
+from stayput.mechanics.space.active_set import kappa_of, project
+from stayput.mechanics.space.body import place_of
+from stayput.mechanics.space.closing import OPEN, TOGETHER
+from stayput.mechanics.space.columns import BY_ROOM
+from stayput.mechanics.space.constants import (
+    IMPULSE_TIME,
+    LONGEST_FLOW_STEP,
+    MOST_PRESSING,
+    PINNED_SPEED,
+    PRESSING_SHARE,
+    SLIP_BEGIN_SPEED,
+)
+from stayput.mechanics.space.contact import slip
+from stayput.mechanics.space.flow_step import LANDS
+from stayput.mechanics.space.solve import any_closes_fast
+from stayput.mechanics.space.stepping import fastest
+from stayput.mechanics.space.stuck_edge import begin_on_edge
+from stayput.mechanics.space.touching import lever_of_point
+from stayput.mechanics.space.vectors import added
+
+
+@inline
+def _fill_in(c, contact, points, features, s, body, on_floor, h):
+    """Note a contact that presses after a step of length h."""
+    c.key, c.plane, c.floor, c.sticks = contact.key, contact.plane, contact.floor, contact.stuck
+    c.point = contact.key - contact.plane * features
+    c.mu_static, c.mu_kinetic = contact.mu_static, contact.mu_kinetic
+    c.kappa = kappa_of(body, on_floor) if contact.floor else 1.0
+    c.pn, c.ps, c.pt = contact.pn / h, contact.ps / h, contact.pt / h
+    c.ax, c.ay, c.az = added(place_of(s), 1.0, lever_of_point(s, points[c.point]))
+
+
+@inner
+def begin_flow(world, poses, contacts, count, h, gravity, memory):
+    """Return whether a lone body flows on after a step of length h, with the contacts that pressed in it."""
+    flow, pressing = memory[0][0], memory[1]
+    body, points, planes, s = world[0][0], world[1], world[3], poses[0]
+    flow.ready = 0
+    if any_closes_fast(contacts, count):
+        return False
+    least = PRESSING_SHARE * body.mass * gravity * h
+    number = on_floor = sticking = 0
+    for c in contacts[:count]:
+        if c.pn > least:
+            number += 1
+            on_floor += 1 if c.floor else 0
+            sticking += 1 if c.stuck else 0
+            u, v = slip(c, poses)
+            if number > MOST_PRESSING or (not c.stuck and math.hypot(u, v) < SLIP_BEGIN_SPEED):
+                return False
+    if number > 2 and fastest(world[0], poses) <= PINNED_SPEED:
+        return False
+    number = 0
+    for c in contacts[:count]:
+        if c.pn > least:
+            _fill_in(pressing[number], c, points, points.shape[0], s, body, on_floor, h)
+            number += 1
+    flow.count, flow.all_stick = number, 1 if sticking == number else 0
+    flow.on_edge = 1 if number == on_floor == sticking == 2 else 0
+    flow.begins, flow.ready, flow.step = 1, 1, LONGEST_FLOW_STEP
+    flow.fx = flow.fy = flow.fz = flow.mx = flow.my = flow.mz = 0.0
+    project(flow, pressing, body, points, planes, s, memory[2], memory[3], memory[4][0])
+    if flow.on_edge:
+        begin_on_edge(flow, pressing, body, points, s)
+    return True
+
+
+@inner
+def keep_flow(world, kept, gaps, how, memory):
+    """Note the contacts of a flow as those of a step, for the next one with all contacts.
+
+    Where a point lands slowly all that is as near stays closed: corners that rock ever less come to rest.
+    """
+    flow, pressing = memory[0][0], memory[1]
+    for key in range(kept.shape[0]):
+        kept[key, 0] = kept[key, 1] = kept[key, 2] = 0.0
+        kept[key, 3] = 1.0 if how == LANDS and abs(gaps[key]) <= TOGETHER else OPEN
+        kept[key, 4], kept[key, 8] = 1.0, 0.0
+    for c in pressing[: flow.count]:
+        row = kept[c.key]
+        row[0], row[1], row[2] = IMPULSE_TIME * c.pn, IMPULSE_TIME * c.ps, IMPULSE_TIME * c.pt
+        row[3] = float(c.sticks)
+
+
+@inline
+def note_flow(histories, sample, flow):
+    """Note what presses on the body in a flow."""
+    for axis in range(histories.shape[2] - BY_ROOM):
+        histories[0, sample, BY_ROOM + axis] = 0.0
+    row = histories[0, sample]
+    row[BY_ROOM], row[BY_ROOM + 1], row[BY_ROOM + 2] = flow.px, flow.py, flow.pz
