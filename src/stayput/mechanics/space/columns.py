@@ -139,14 +139,15 @@ which it slipped as the step began, and the penalties of its velocities.
 """
 
 FLOW = record(
-    *integers("ready", "begins", "count", "all_stick", "on_edge"),
+    *integers("ready", "begins", "count", "all_stick", "on_edge", "refused"),
     *floats("step", "margin", "gap", "cx", "cy", "fx", "fy", "fz", "mx", "my", "mz", "px", "py", "pz"),
     *floats("qw", "qx", "qy", "qz", "angle", "rate", "change", "angle0", "rate0", "change0"),
     *floats("ex", "ey", "ez", "ox", "oy", "oz", "gx", "gy", "gz", "bx", "by", "bz", "ax", "ay", "az"),
     *floats("ix", "iy", "iz", "inertia", "half"),
 )
 """A flow: whether the body is on one, and at its beginning; how many contacts press, whether all stick, and
-whether they are an edge; the length of its next step [s]; the least margin of its forces and slips, and the
+whether they are an edge, and whether the last one
+ended before it began; the length of its next step [s]; the least margin of its forces and slips, and the
 least gap of what else may touch; the centre of pressure on the floor from G; force and moment of the devices
 about G; what the room presses on the body.
 

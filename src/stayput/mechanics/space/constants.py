@@ -63,9 +63,14 @@ EVENT_TIME_TOLERANCE = 1e-9
 MOST_EVENT_LOOKS = 60
 """Most evaluations to find it; bisection alone takes 24 of 10 ms."""
 
+SETTLE_GAP, SETTLE_SPEED = 1e-6, 3e-3
+"""Gap and speed up to which corners beside one that lands slowly are stopped with it [m, m/s]: they would rock and
+rebound without end, less each time.
+"""
+
 STEP_AFTER_EVENT = 2e-5
-"""Length of the general step after an event, which tells how it goes on [s]. Ten times longer ones made the
-error of a rocking box two times larger.
+"""Length of the general step after an event, which tells how it goes on [s]: plain, of second order, and so short
+that its error does not count.
 """
 
 IMPULSE_TIME = 1e-3

@@ -35,7 +35,7 @@ from stayput.mechanics.space.events import (
     switch_now,
 )
 from stayput.mechanics.space.constants import FLOW_WORK, IMPULSE_TIME, STEP_AFTER_EVENT
-from stayput.mechanics.space.flow import begin_flow, keep_flow, note_flow
+from stayput.mechanics.space.flow import begin_flow, keep_flow, note_flow, settle
 from stayput.mechanics.space.flow_step import GOES_ON, HITS, LANDS, advance_flow
 from stayput.mechanics.space.pairs import deepest, place_corners, touch
 from stayput.mechanics.space.rest import (
@@ -442,16 +442,19 @@ def run_in_space(
                     note_peaks(bodies, now, peaks)
                     t = dt if t + h >= dt - 1e-12 else t + h
                     flowed, noted, why = True, False, TIPS
+                    flow.refused = 0
                 if h == 0.0 or how != GOES_ON:
                     flow.ready = 0
                     if flowed:
                         last = IMPULSE_TIME
                         note_all_gaps(world, now, scratch, gaps[0])
-                        keep_flow(world, kept[0], gaps[0], how, memory)
+                        keep_flow(kept[0], memory)
                         if how == LANDS:
-                            pace[LENGTH], pace[ROUGH] = longest, 1.0
-                        else:
-                            pace[LENGTH] = least_step if how == HITS else STEP_AFTER_EVENT
+                            settle(world, now, gaps[0], kept[0], memory)
+                            note_all_gaps(world, now, scratch, gaps[0])
+                    if flowed or not flow.refused:
+                        pace[LENGTH] = least_step if how == HITS else STEP_AFTER_EVENT
+                    flow.refused = 1 if h == 0.0 else 0
                 if h > 0.0:
                     continue
             if work[2] > work[3] or work[1] > max(MANY, MOST_UNCONVERGED * work[0]):

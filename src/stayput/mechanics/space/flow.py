@@ -15,7 +15,7 @@ import math
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.active_set import kappa_of, project
 from stayput.mechanics.space.body import place_of
-from stayput.mechanics.space.closing import OPEN, TOGETHER
+from stayput.mechanics.space.closing import OPEN
 from stayput.mechanics.space.columns import BY_ROOM
 from stayput.mechanics.space.constants import (
     IMPULSE_TIME,
@@ -23,15 +23,16 @@ from stayput.mechanics.space.constants import (
     MOST_PRESSING,
     PINNED_SPEED,
     PRESSING_SHARE,
+    SETTLE_GAP,
+    SETTLE_SPEED,
     SLIP_BEGIN_SPEED,
 )
-from stayput.mechanics.space.contact import slip
-from stayput.mechanics.space.flow_step import LANDS
+from stayput.mechanics.space.contact import slip, velocity_at
 from stayput.mechanics.space.solve import any_closes_fast
 from stayput.mechanics.space.stepping import fastest
 from stayput.mechanics.space.stuck_edge import begin_on_edge
 from stayput.mechanics.space.touching import lever_of_point
-from stayput.mechanics.space.vectors import added
+from stayput.mechanics.space.vectors import added, dot, normal_of
 
 
 @inline
@@ -81,20 +82,39 @@ def begin_flow(world, poses, contacts, count, h, gravity, memory):
 
 
 @inner
-def keep_flow(world, kept, gaps, how, memory):
-    """Note the contacts of a flow as those of a step, for the next one with all contacts.
-
-    Where a point lands slowly all that is as near stays closed: corners that rock ever less come to rest.
-    """
+def keep_flow(kept, memory):
+    """Note the contacts of a flow as those of a step, for the next one with all contacts."""
     flow, pressing = memory[0][0], memory[1]
     for key in range(kept.shape[0]):
         kept[key, 0] = kept[key, 1] = kept[key, 2] = 0.0
-        kept[key, 3] = 1.0 if how == LANDS and abs(gaps[key]) <= TOGETHER else OPEN
-        kept[key, 4], kept[key, 8] = 1.0, 0.0
+        kept[key, 3], kept[key, 4], kept[key, 8] = OPEN, 1.0, 0.0
     for c in pressing[: flow.count]:
         row = kept[c.key]
         row[0], row[1], row[2] = IMPULSE_TIME * c.pn, IMPULSE_TIME * c.ps, IMPULSE_TIME * c.pt
         row[3] = float(c.sticks)
+
+
+@inner
+def settle(world, poses, gaps, kept, memory):
+    """Stop the points that are about to land slowly, or to leave a plane so, and put them onto their planes.
+
+    Their friction is that of those that pressed, and stays noted.
+    """
+    flow, pressing = memory[0][0], memory[1]
+    body, points, planes, s = world[0][0], world[1], world[3], poses[0]
+    sticks = flow.all_stick
+    flow.count = flow.all_stick = 0
+    for key in range(kept.shape[0]):
+        j = key // points.shape[0]
+        n, i = normal_of(planes[j]), key - j * points.shape[0]
+        if gaps[key] > SETTLE_GAP or flow.count == MOST_PRESSING:
+            continue
+        if abs(dot(n, velocity_at(s, lever_of_point(s, points[i])))) <= SETTLE_SPEED:
+            c = pressing[flow.count]
+            c.key, c.plane, c.point, c.floor, c.sticks, c.kappa = key, j, i, planes[j].floor, 0, 1.0
+            kept[key, 3] = float(sticks) if kept[key, 3] == OPEN else kept[key, 3]
+            flow.count += 1
+    project(flow, pressing, body, points, planes, s, memory[2], memory[3], memory[4][0])
 
 
 @inline
