@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from stayput.mechanics.devices.columns import DEVICE
 from stayput.mechanics.space.columns import CONTACT, FACE, FLOW, PAIR, PLANE, POINT, POSE, PRESSING, PULL, RIM, SOLID
-from stayput.mechanics.space.constants import MOST_PRESSING
+from stayput.mechanics.space.constants import MOST_PRESSING, MOST_ROWS
 from stayput.mechanics.space.pairs import MOST_TOUCHING
 from stayput.mechanics.space.touching import RIM_POINTS
 from stayput.model.even_base import friction_ratio
@@ -365,9 +365,13 @@ def scratch_of(world: tuple[Any, ...], devices: int) -> tuple[Any, ...]:
         (
             np.zeros(1, FLOW),
             np.zeros(MOST_PRESSING, PRESSING),
-            np.zeros((MOST_PRESSING, 4, 6)),
-            np.zeros((6, 7)),
-            np.zeros((2, 6)),
+            (
+                np.zeros((MOST_ROWS, 6)),
+                np.zeros((MOST_ROWS, 6)),
+                np.zeros((MOST_ROWS, MOST_ROWS)),
+                np.zeros((6, MOST_ROWS)),
+                np.zeros(MOST_ROWS, np.int64),
+            ),
             np.zeros((7, 13)),
             np.zeros((6, 13)),
             np.zeros(features),

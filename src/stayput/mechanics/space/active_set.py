@@ -1,13 +1,14 @@
 """Accelerations of a lone body on contacts that are known to press, and to stick or to slip.
 
-With velocities ν scaled so that the mass matrix is 1, the rows G of contacts, and the columns F of their forces λ,
+With velocities ν scaled so that the mass matrix is 1, rows G of what contacts forbid, columns F of their forces λ
+and the velocities ν₀' without them
 
     ν' = ν₀' + Σ F λ,        G ν' + b = 0,
 
 where b is what the contact's point is accelerated by the rotation. Of a contact that sticks the rows are those
 along its normal and tangents, and F = Gᵀ; of one that slips the row is that along the normal, and F has
-friction against the slip too. λ is −(G ν' + b) times a penalty: so six equations give ν', whatever the number
-of contacts, and where there are more than the body needs these share alike.
+friction against the slip too. Where there are more contacts than the body needs G F is singular; a small part of
+its diagonal is added, so that they share alike, and the solution refined, so that this is not felt.
 
 On the floor friction acts about the centre of pressure (`stayput.mechanics.space.solve.spread_friction`), which
 follows from the forces. Rounds "forces, centre of pressure, forces" may diverge where an edge turns about
@@ -19,12 +20,13 @@ from __future__ import annotations
 import math
 
 from stayput.compiling import inline, inner
-from stayput.mechanics.space.body import angular_response, in_body, in_room, nudge, place_of, rotation, velocity
+from stayput.mechanics.space.body import angular_response, in_body, in_room, nudge, place_of, rotation
 from stayput.mechanics.space.columns import LINE
 from stayput.mechanics.space.constants import (
-    CONSTRAINT_PENALTY,
     PRESSURE_ROUNDS,
     PRESSURE_TOLERANCE,
+    REFINEMENTS,
+    SHARING,
     SLIP_BEGIN_SPEED,
     SLIP_END_SPEED,
 )
@@ -32,8 +34,10 @@ from stayput.mechanics.space.contact import velocity_at
 from stayput.mechanics.space.touching import gap_of, lever_of_point
 from stayput.mechanics.space.vectors import added, cross, dot, normal_of, scaled, tangents
 
-ALONG_NORMAL, ALONG_FIRST, ALONG_SECOND, OF_FORCE = range(4)
-"""Rows of a contact: of its velocity along the normal and both tangents; and the column of its force."""
+FREE, TOTAL, FORCES, REST, BENDS, RATES = range(6)
+"""Vectors: the change of the scaled velocities without contacts, and with them; forces, what they miss, and what
+contacts are accelerated by the rotation; changes of velocity and angular momentum.
+"""
 
 
 @inline
@@ -90,128 +94,111 @@ def _set_row(row, body, s, lever, along):
     row[3], row[4], row[5] = body.r1 * arm[0], body.r2 * arm[1], body.r3 * arm[2]
 
 
-@inline
-def _square(row):
-    return (
-        row[0] * row[0] + row[1] * row[1] + row[2] * row[2] + row[3] * row[3] + row[4] * row[4] + row[5] * row[5]
-    )
-
-
 @inner
-def _set_rows(flow, pressing, planes, body, s, rows):
-    """Set the rows of all contacts, and their penalties."""
-    for k in range(flow.count):
-        c = pressing[k]
+def _set_rows(flow, pressing, planes, body, s, system):
+    """Set rows and columns of all contacts and what they are accelerated; return how many rows there are."""
+    rows, columns, _, vectors, _ = system
+    spin, number = rotation(s), 0
+    for c in pressing[: flow.count]:
         n = normal_of(planes[c.plane])
         first, second = tangents(n)
-        _set_row(rows[k, ALONG_NORMAL], body, s, _lever(c), n)
-        _set_row(rows[k, ALONG_FIRST], body, s, _friction_lever(c), first)
-        _set_row(rows[k, ALONG_SECOND], body, s, _friction_lever(c), second)
-        c.firm = CONSTRAINT_PENALTY / _square(rows[k, ALONG_NORMAL])
+        c.first = number
+        _set_row(rows[number], body, s, _lever(c), n)
+        vectors[BENDS, number] = dot(n, cross(spin, cross(spin, _lever(c))))
+        _set_row(rows[number + 1], body, s, _friction_lever(c), first)
+        _set_row(rows[number + 2], body, s, _friction_lever(c), second)
         if c.sticks:
-            c.grip_s = CONSTRAINT_PENALTY / _square(rows[k, ALONG_FIRST])
-            c.grip_t = CONSTRAINT_PENALTY / _square(rows[k, ALONG_SECOND])
+            moves = cross(spin, cross(spin, _friction_lever(c)))
+            vectors[BENDS, number + 1], vectors[BENDS, number + 2] = dot(first, moves), dot(second, moves)
+            for i in range(6):
+                for axis in range(3):
+                    columns[number + axis, i] = rows[number + axis, i]
+            number += 3
         else:
             along, across = _slip_direction(c)
             for i in range(6):
-                rows[k, OF_FORCE, i] = rows[k, ALONG_NORMAL, i] - c.mu_kinetic * (
-                    along * rows[k, ALONG_FIRST, i] + across * rows[k, ALONG_SECOND, i]
+                columns[number, i] = rows[number, i] - c.mu_kinetic * (
+                    along * rows[number + 1, i] + across * rows[number + 2, i]
                 )
+            number += 1
+    return number
 
 
 @inline
-def _add_product(matrix, factor, column, row):
-    for i in range(6):
-        share = factor * column[i]
-        for j in range(6):
-            matrix[i, j] += share * row[j]
-
-
-@inline
-def _times(row, matrix):
-    """Return a row times the vector in the last column of a matrix."""
+def _product(row, other):
     return (
-        row[0] * matrix[0, 6]
-        + row[1] * matrix[1, 6]
-        + row[2] * matrix[2, 6]
-        + row[3] * matrix[3, 6]
-        + row[4] * matrix[4, 6]
-        + row[5] * matrix[5, 6]
+        row[0] * other[0]
+        + row[1] * other[1]
+        + row[2] * other[2]
+        + row[3] * other[3]
+        + row[4] * other[4]
+        + row[5] * other[5]
     )
 
 
-@inline
-def _ask(matrix, factor, column, row, wanted, x):
-    """Add a penalty on row · (x + y) + wanted to the equations of y."""
-    _add_product(matrix, factor, column, row)
-    miss = wanted
-    for i in range(6):
-        miss += row[i] * x[i]
-    for i in range(6):
-        matrix[i, 6] -= factor * miss * column[i]
-
-
-@inline
-def _clear(matrix):
-    for i in range(6):
-        for j in range(7):
-            matrix[i, j] = 0.0
-        matrix[i, i] = 1.0
-
-
 @inner
-def _solve(matrix):
-    """Solve six equations in place, their right-hand side and then the solution in the last column."""
-    for k in range(6):
+def _factorize(matrix, pivots, number):
+    """Replace a matrix by its factors L and U, with rows exchanged."""
+    for k in range(number):
         largest = k
-        for i in range(k + 1, 6):
+        for i in range(k + 1, number):
             if abs(matrix[i, k]) > abs(matrix[largest, k]):
                 largest = i
+        pivots[k] = largest
         if largest != k:
-            for j in range(k, 7):
+            for j in range(number):
                 matrix[k, j], matrix[largest, j] = matrix[largest, j], matrix[k, j]
         over = 1.0 / matrix[k, k]
-        for i in range(k + 1, 6):
+        for i in range(k + 1, number):
             factor = over * matrix[i, k]
-            for j in range(k + 1, 7):
+            matrix[i, k] = factor
+            for j in range(k + 1, number):
                 matrix[i, j] -= factor * matrix[k, j]
-    for i in range(5, -1, -1):
-        total = matrix[i, 6]
-        for j in range(i + 1, 6):
-            total -= matrix[i, j] * matrix[j, 6]
-        matrix[i, 6] = total / matrix[i, i]
 
 
 @inner
-def _find_forces(flow, pressing, planes, s, rows, matrix, free):
-    """Set the forces of all contacts with their levers as they are, and the acceleration in ``matrix``."""
-    spin = rotation(s)
-    _clear(matrix)
-    for k in range(flow.count):
-        c = pressing[k]
-        n = normal_of(planes[c.plane])
-        turns = dot(n, cross(spin, cross(spin, _lever(c))))
+def _solve(matrix, pivots, number, b):
+    """Solve equations whose factors are known, in place."""
+    for k in range(number):
+        other = pivots[k]
+        b[k], b[other] = b[other], b[k]
+    for i in range(number):
+        for j in range(i):
+            b[i] -= matrix[i, j] * b[j]
+    for i in range(number - 1, -1, -1):
+        for j in range(i + 1, number):
+            b[i] -= matrix[i, j] * b[j]
+        b[i] /= matrix[i, i]
+
+
+@inner
+def _find_forces(system, number):
+    """Find the forces of so many rows; the velocities' change is with them then."""
+    rows, columns, matrix, vectors, pivots = system
+    forces, rest, total = vectors[FORCES], vectors[REST], vectors[TOTAL]
+    for i in range(number):
+        for j in range(number):
+            matrix[i, j] = _product(rows[i], columns[j])
+        matrix[i, i] += SHARING * _product(rows[i], rows[i])
+        forces[i] = 0.0
+    _factorize(matrix, pivots, number)
+    for _ in range(REFINEMENTS):
+        for i in range(number):
+            rest[i] = -_product(rows[i], total) - vectors[BENDS, i]
+        _solve(matrix, pivots, number, rest)
+        for i in range(number):
+            forces[i] += rest[i]
+            for j in range(6):
+                total[j] += rest[i] * columns[i, j]
+
+
+@inline
+def _take_forces(flow, pressing, forces):
+    """Set the forces of all contacts to those found."""
+    for c in pressing[: flow.count]:
+        c.pn = forces[c.first]
         if c.sticks:
-            first, second = tangents(n)
-            moves = cross(spin, cross(spin, _friction_lever(c)))
-            _ask(matrix, c.firm, rows[k, ALONG_NORMAL], rows[k, ALONG_NORMAL], turns, free)
-            _ask(matrix, c.grip_s, rows[k, ALONG_FIRST], rows[k, ALONG_FIRST], dot(first, moves), free)
-            _ask(matrix, c.grip_t, rows[k, ALONG_SECOND], rows[k, ALONG_SECOND], dot(second, moves), free)
-        else:
-            _ask(matrix, c.firm, rows[k, OF_FORCE], rows[k, ALONG_NORMAL], turns, free)
-    _solve(matrix)
-    for i in range(6):
-        matrix[i, 6] += free[i]
-    for k in range(flow.count):
-        c = pressing[k]
-        n = normal_of(planes[c.plane])
-        turns = dot(n, cross(spin, cross(spin, _lever(c))))
-        c.pn = -c.firm * (_times(rows[k, ALONG_NORMAL], matrix) + turns)
-        if c.sticks:
-            first, second = tangents(n)
-            moves = cross(spin, cross(spin, _friction_lever(c)))
-            c.ps = -c.grip_s * (_times(rows[k, ALONG_FIRST], matrix) + dot(first, moves))
-            c.pt = -c.grip_t * (_times(rows[k, ALONG_SECOND], matrix) + dot(second, moves))
+            c.ps, c.pt = forces[c.first + 1], forces[c.first + 2]
         else:
             along, across = _slip_direction(c)
             c.ps, c.pt = -c.mu_kinetic * c.pn * along, -c.mu_kinetic * c.pn * across
@@ -231,18 +218,19 @@ def _centre_of_pressure(flow, pressing):
 
 
 @inner
-def accelerate(flow, pressing, body, points, planes, s, push, rows, matrix, free, rates):
+def accelerate(flow, pressing, body, points, planes, s, push, system):
     """Set how velocity and angular momentum change, and the forces of all contacts.
 
     Parameters
     ----------
     push : tuple
         The acceleration that acts on the body; force and moment of its devices stand in ``flow``.
-    rows, matrix, free : float64[n, 4, 6], float64[6, 7], float64[6]
-        Working memory.
-    rates : float64[6]
-        The changes.
+    system : tuple
+        Rows and columns float64[n, 6], matrix float64[n, n], vectors float64[6, n] and pivots int64[n]. The last
+        of the vectors has the changes.
     """
+    vectors = system[3]
+    free, total, rates = vectors[FREE], vectors[TOTAL], vectors[RATES]
     spin = rotation(s)
     gyro = cross(spin, (s.lx, s.ly, s.lz))
     turning = in_body(s, added((flow.mx, flow.my, flow.mz), -1.0, gyro))
@@ -250,30 +238,29 @@ def accelerate(flow, pressing, body, points, planes, s, push, rows, matrix, free
     free[1] = push[1] / body.rm + body.rm * flow.fy
     free[2] = push[2] / body.rm + body.rm * flow.fz
     free[3], free[4], free[5] = body.r1 * turning[0], body.r2 * turning[1], body.r3 * turning[2]
-    if flow.count == 0:
+    set_levers(flow, pressing, points, s)
+    px = py = gx = gy = 0.0
+    for number in range(PRESSURE_ROUNDS):
         for i in range(6):
-            matrix[i, 6] = free[i]
-    else:
-        set_levers(flow, pressing, points, s)
-        px = py = gx = gy = 0.0
-        for number in range(PRESSURE_ROUNDS):
-            _set_friction_levers(flow, pressing, planes, s)
-            _set_rows(flow, pressing, planes, body, s, rows)
-            _find_forces(flow, pressing, planes, s, rows, matrix, free)
-            x, y, matters = _centre_of_pressure(flow, pressing)
-            dx, dy = x - flow.cx, y - flow.cy
-            if not matters or abs(dx) + abs(dy) <= PRESSURE_TOLERANCE:
-                break
-            mix = 0.0
-            if number > 0:
-                ex, ey = dx - gx, dy - gy
-                square = ex * ex + ey * ey
-                mix = (ex * dx + ey * dy) / square if square > 0.0 else 0.0
-            last_x, last_y = px, py
-            px, py, gx, gy = x, y, dx, dy
-            flow.cx, flow.cy = x - mix * (x - last_x), y - mix * (y - last_y)
-    rates[0], rates[1], rates[2] = body.rm * matrix[0, 6], body.rm * matrix[1, 6], body.rm * matrix[2, 6]
-    turning = matrix[3, 6] / body.r1, matrix[4, 6] / body.r2, matrix[5, 6] / body.r3
+            total[i] = free[i]
+        if flow.count == 0:
+            break
+        _set_friction_levers(flow, pressing, planes, s)
+        _find_forces(system, _set_rows(flow, pressing, planes, body, s, system))
+        _take_forces(flow, pressing, vectors[FORCES])
+        x, y, matters = _centre_of_pressure(flow, pressing)
+        dx, dy = x - flow.cx, y - flow.cy
+        if not matters or abs(dx) + abs(dy) <= PRESSURE_TOLERANCE:
+            break
+        mix = 0.0
+        if number > 0:
+            ex, ey = dx - gx, dy - gy
+            square = ex * ex + ey * ey
+            mix = (ex * dx + ey * dy) / square if square > 0.0 else 0.0
+        flow.cx, flow.cy = x - mix * (x - px), y - mix * (y - py)
+        px, py, gx, gy = x, y, dx, dy
+    rates[0], rates[1], rates[2] = body.rm * total[0], body.rm * total[1], body.rm * total[2]
+    turning = total[3] / body.r1, total[4] / body.r2, total[5] / body.r3
     rates[3], rates[4], rates[5] = added(in_room(s, turning), 1.0, gyro)
 
 
@@ -307,51 +294,52 @@ def note_pressing_force(flow, pressing, planes):
 
 
 @inner
-def project(flow, pressing, body, points, planes, s, rows, matrix, free):
+def project(flow, pressing, body, points, planes, s, system):
     """Put contacts that press back onto their planes, and take away the velocities that they forbid.
 
     What sticks is put back where it stuck at first too, if all does: else the centre of friction moves.
     """
     if flow.count == 0:
         return
+    rows, columns, _, vectors, _ = system
+    total = vectors[TOTAL]
     for velocities in range(2):
         set_levers(flow, pressing, points, s)
         _set_friction_levers(flow, pressing, planes, s)
-        _clear(matrix)
+        for i in range(6):
+            total[i] = 0.0
         if velocities:
             turn = in_body(s, (s.lx, s.ly, s.lz))
-            free[0], free[1], free[2] = s.vx / body.rm, s.vy / body.rm, s.vz / body.rm
-            free[3], free[4], free[5] = body.r1 * turn[0], body.r2 * turn[1], body.r3 * turn[2]
-        else:
-            for i in range(6):
-                free[i] = 0.0
-        for k in range(flow.count):
-            c, plane = pressing[k], planes[pressing[k].plane]
+            total[0], total[1], total[2] = s.vx / body.rm, s.vy / body.rm, s.vz / body.rm
+            total[3], total[4], total[5] = body.r1 * turn[0], body.r2 * turn[1], body.r3 * turn[2]
+        number = 0
+        for c in pressing[: flow.count]:
+            plane = planes[c.plane]
             n = normal_of(plane)
-            first, second = tangents(n)
-            friction_at = _friction_lever(c) if velocities else _lever(c)
-            _set_row(rows[k, ALONG_NORMAL], body, s, _lever(c), n)
-            _set_row(rows[k, ALONG_FIRST], body, s, friction_at, first)
-            _set_row(rows[k, ALONG_SECOND], body, s, friction_at, second)
-            gap = 0.0 if velocities else gap_of(s, _lever(c), plane)
-            firm = CONSTRAINT_PENALTY / _square(rows[k, ALONG_NORMAL])
-            _ask(matrix, firm, rows[k, ALONG_NORMAL], rows[k, ALONG_NORMAL], gap, free)
+            _set_row(rows[number], body, s, _lever(c), n)
+            vectors[BENDS, number] = 0.0 if velocities else gap_of(s, _lever(c), plane)
+            number += 1
             if c.sticks and (velocities or flow.all_stick):
                 away = 0.0, 0.0, 0.0
                 if not velocities:
                     away = added(added(place_of(s), 1.0, _lever(c)), -1.0, (c.ax, c.ay, c.az))
-                for axis, along in ((ALONG_FIRST, first), (ALONG_SECOND, second)):
-                    firm = CONSTRAINT_PENALTY / _square(rows[k, axis])
-                    _ask(matrix, firm, rows[k, axis], rows[k, axis], dot(along, away), free)
-        _solve(matrix)
-        move = body.rm * matrix[0, 6], body.rm * matrix[1, 6], body.rm * matrix[2, 6]
+                friction_at = _friction_lever(c) if velocities else _lever(c)
+                for along in tangents(n):
+                    _set_row(rows[number], body, s, friction_at, along)
+                    vectors[BENDS, number] = dot(along, away)
+                    number += 1
+        for k in range(number):
+            for i in range(6):
+                columns[k, i] = rows[k, i]
+        _find_forces(system, number)
+        move = body.rm * total[0], body.rm * total[1], body.rm * total[2]
         if velocities:
-            s.vx, s.vy, s.vz = added(velocity(s), 1.0, move)
-            turn = matrix[3, 6] / body.r1, matrix[4, 6] / body.r2, matrix[5, 6] / body.r3
-            s.lx, s.ly, s.lz = added((s.lx, s.ly, s.lz), 1.0, in_room(s, turn))
+            s.vx, s.vy, s.vz = move
+            turn = total[3] / body.r1, total[4] / body.r2, total[5] / body.r3
+            s.lx, s.ly, s.lz = in_room(s, turn)
             s.wx, s.wy, s.wz = angular_response(s, (s.lx, s.ly, s.lz))
         else:
-            turn = body.r1 * matrix[3, 6], body.r2 * matrix[4, 6], body.r3 * matrix[5, 6]
+            turn = body.r1 * total[3], body.r2 * total[4], body.r3 * total[5]
             nudge(body, s, move, in_room(s, turn))
 
 

@@ -127,27 +127,27 @@ BY_ROOM, BY_BODIES = 13, 16
 """First columns of those forces."""
 
 PRESSING = record(
-    *integers("key", "point", "plane", "floor", "sticks"),
+    *integers("key", "point", "plane", "floor", "sticks", "first"),
     *floats("mu_static", "mu_kinetic", "kappa", "ax", "ay", "az"),
     *floats("rx", "ry", "rz", "fx", "fy", "fz"),
-    *floats("pn", "ps", "pt", "us", "ut", "ds", "dt", "firm", "grip_s", "grip_t"),
+    *floats("pn", "ps", "pt", "us", "ut", "ds", "dt"),
 )
-"""A contact that presses in a flow: its key, point and plane, whether that is the floor, and whether it
-sticks; its friction, κ, and where it was in the room as the flow began; the levers about G of it and of its
-friction; its forces along the normal and the tangents [N], how fast it slips along these, the direction in
-which it slipped as the step began, and the penalties of its velocities.
+"""A contact that presses in a flow: its key, point and plane, whether that is the floor, whether it
+sticks, and its first row; its friction, κ, and where it was in the room as the flow began; the levers about G of it and of its
+friction; its forces along the normal and the tangents [N], how fast it slips along these, and how it
+slipped as the step began.
 """
 
 FLOW = record(
-    *integers("ready", "begins", "count", "all_stick", "on_edge", "refused"),
+    *integers("ready", "begins", "count", "all_stick", "on_edge", "refused", "pause"),
     *floats("step", "margin", "gap", "cx", "cy", "fx", "fy", "fz", "mx", "my", "mz", "px", "py", "pz"),
     *floats("qw", "qx", "qy", "qz", "angle", "rate", "change", "angle0", "rate0", "change0"),
     *floats("ex", "ey", "ez", "ox", "oy", "oz", "gx", "gy", "gz", "bx", "by", "bz", "ax", "ay", "az"),
     *floats("ix", "iy", "iz", "inertia", "half"),
 )
 """A flow: whether the body is on one, and at its beginning; how many contacts press, whether all stick, and
-whether they are an edge, and whether the last one
-ended before it began; the length of its next step [s]; the least margin of its forces and slips, and the
+whether they are an edge, whether the last one
+ended before it began, and how many general steps are to be taken before the next; the length of its next step [s]; the least margin of its forces and slips, and the
 least gap of what else may touch; the centre of pressure on the floor from G; force and moment of the devices
 about G; what the room presses on the body.
 

@@ -8,9 +8,12 @@ goes on.
 PRESSING_SHARE = 1e-6
 """Share of the weight from which on a contact presses: below it a force is what the solver leaves."""
 
-CONSTRAINT_PENALTY = 1e8
-"""Penalty of an acceleration that a contact forbids, times the inverse mass that it sees. It leaves 1e-7 m/s²
-of gravity; forces are exact to rounding times this, 1e-8. Ten times less would leave ten times more.
+MOST_ROWS = 3 * MOST_PRESSING
+"""Most velocities that contacts forbid: all stick."""
+
+SHARING, REFINEMENTS = 1e-6, 2
+"""Share of the diagonal that is added so that contacts share where there are more than the body needs, and
+solutions with it, each for what the last leaves: 1e-12 of the forces, with rounding of 1e-10.
 """
 
 PRESSURE_ROUNDS = 12
@@ -34,10 +37,13 @@ FLOW_TOLERANCE = 1e-4
 VELOCITY_ERROR_TIME = 0.01
 """Time for which an error of velocities is taken to last, beside one of places [s]."""
 
-LONGEST_FLOW_STEP, SHORTEST_FLOW_STEP = 0.05, 1e-5
+LONGEST_FLOW_STEP, SHORTEST_FLOW_STEP = 0.05, 1e-4
 """Longest and shortest step [s]. What needs shorter ones, such as a strong damper, is stiff and left to the
 general law.
 """
+
+STIFF_PAUSE = 16
+"""General steps after a step that was stiff, before another flow is tried."""
 
 SHORTEST_FLOW = 1e-8
 """Time to an event below which a flow is over before it begins [s]."""

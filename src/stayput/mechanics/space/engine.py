@@ -34,9 +34,9 @@ from stayput.mechanics.space.events import (
     note_weight,
     switch_now,
 )
-from stayput.mechanics.space.constants import FLOW_WORK, IMPULSE_TIME, STEP_AFTER_EVENT
+from stayput.mechanics.space.constants import FLOW_WORK, IMPULSE_TIME, STEP_AFTER_EVENT, STIFF_PAUSE
 from stayput.mechanics.space.flow import begin_flow, keep_flow, note_flow, settle
-from stayput.mechanics.space.flow_step import GOES_ON, HITS, LANDS, advance_flow
+from stayput.mechanics.space.flow_step import GOES_ON, HITS, LANDS, STIFF, advance_flow
 from stayput.mechanics.space.pairs import deepest, place_corners, touch
 from stayput.mechanics.space.rest import (
     SLIPS,
@@ -258,7 +258,7 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
         keep(contacts, count, kept[1], scratch[7][3])
         _copy_devices(held[1], held[2], scratch[9], scratch[10])
         allowed = within * h if poses.shape[1] == 1 else max(within * h, SEVERAL)
-        error = refine(
+        error, count = refine(
             world, held, poses, acceleration, k, dt, t, h, gravity, scratch, ratio, allowed, output
         )
         if error >= 0.0 and (error <= allowed or h <= 2.0 * least_h):
@@ -455,6 +455,8 @@ def run_in_space(
                     if flowed or not flow.refused:
                         pace[LENGTH] = least_step if how == HITS else STEP_AFTER_EVENT
                     flow.refused = 1 if h == 0.0 else 0
+                    if how == STIFF:
+                        flow.pause = STIFF_PAUSE
                 if h > 0.0:
                     continue
             if work[2] > work[3] or work[1] > max(MANY, MOST_UNCONVERGED * work[0]):
@@ -485,7 +487,8 @@ def run_in_space(
             for b in range(bodies.shape[0]):
                 now[b] = trial[b]
             flowed = False
-            if alone and FLOWS:
+            flow.pause = max(0, flow.pause - 1)
+            if alone and FLOWS and flow.pause == 0:
                 begin_flow(world, now, contacts, count, last, gravity, memory)
                 if not flow.ready and any_closes_fast(contacts, count):
                     pace[LENGTH] = STEP_AFTER_EVENT

@@ -30,7 +30,6 @@ from stayput.mechanics.space.constants import (
 from stayput.mechanics.space.contact import slip, velocity_at
 from stayput.mechanics.space.solve import any_closes_fast
 from stayput.mechanics.space.stepping import fastest
-from stayput.mechanics.space.stuck_edge import begin_on_edge
 from stayput.mechanics.space.touching import lever_of_point
 from stayput.mechanics.space.vectors import added, dot, normal_of
 
@@ -50,7 +49,7 @@ def _fill_in(c, contact, points, features, s, body, on_floor, h):
 def begin_flow(world, poses, contacts, count, h, gravity, memory):
     """Return whether a lone body flows on after a step of length h, with the contacts that pressed in it."""
     flow, pressing = memory[0][0], memory[1]
-    body, points, planes, s = world[0][0], world[1], world[3], poses[0]
+    body, points, s = world[0][0], world[1], poses[0]
     flow.ready = 0
     if any_closes_fast(contacts, count):
         return False
@@ -75,9 +74,6 @@ def begin_flow(world, poses, contacts, count, h, gravity, memory):
     flow.on_edge = 1 if number == on_floor == sticking == 2 else 0
     flow.begins, flow.ready, flow.step = 1, 1, LONGEST_FLOW_STEP
     flow.fx = flow.fy = flow.fz = flow.mx = flow.my = flow.mz = 0.0
-    project(flow, pressing, body, points, planes, s, memory[2], memory[3], memory[4][0])
-    if flow.on_edge:
-        begin_on_edge(flow, pressing, body, points, s)
     return True
 
 
@@ -111,10 +107,10 @@ def settle(world, poses, gaps, kept, memory):
             continue
         if abs(dot(n, velocity_at(s, lever_of_point(s, points[i])))) <= SETTLE_SPEED:
             c = pressing[flow.count]
-            c.key, c.plane, c.point, c.floor, c.sticks, c.kappa = key, j, i, planes[j].floor, 0, 1.0
+            c.key, c.plane, c.point, c.floor, c.sticks, c.kappa = key, j, i, planes[j].floor, sticks, 1.0
             kept[key, 3] = float(sticks) if kept[key, 3] == OPEN else kept[key, 3]
             flow.count += 1
-    project(flow, pressing, body, points, planes, s, memory[2], memory[3], memory[4][0])
+    project(flow, pressing, body, points, planes, s, memory[2])
 
 
 @inline

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from stayput.compiling import inline, inner
-from stayput.mechanics.space.active_set import accelerate, margin_of, note_pressing_force, project
+from stayput.mechanics.space.active_set import RATES, accelerate, margin_of, note_pressing_force, project
 from stayput.mechanics.space.body import attitude, in_body, rotation, set_attitude
 from stayput.mechanics.space.constants import (
     DEVICE_LOSS_STEP,
@@ -32,12 +32,21 @@ from stayput.mechanics.space.contact import velocity_at
 from stayput.mechanics.space.devices import give, loads_of
 from stayput.mechanics.space.solve import IMPACT
 from stayput.mechanics.space.stepping import push_at
-from stayput.mechanics.space.stuck_edge import angle_within, press_on_edge, set_pose_on_edge, step_on_edge, turn_on_edge
+from stayput.mechanics.space.stuck_edge import (
+    angle_within,
+    begin_on_edge,
+    press_on_edge,
+    set_pose_on_edge,
+    step_on_edge,
+    turn_on_edge,
+)
 from stayput.mechanics.space.touching import gap_of_point, lever_of_point, may_touch, plane_from
 from stayput.mechanics.space.vectors import dot, normal_of, quaternion_rate
 
-GOES_ON, CHANGES, LANDS, HITS = range(4)
-"""How a step ends: with no event; forces, slips or a device change; a point meets a plane slowly, or hits it."""
+GOES_ON, CHANGES, LANDS, HITS, STIFF = range(5)
+"""How a step ends: with no event; forces, slips or a device change; a point meets a plane slowly, or hits it; it
+would have to be too short.
+"""
 
 OF_GAP, OF_MARGIN = range(2)
 """What an event is found by."""
@@ -46,17 +55,17 @@ OF_GAP, OF_MARGIN = range(2)
 @inner
 def evaluate(flow, world, held, stage, push, memory, row):
     """Set the forces on a body, and a row to the rates of what `_to_vector` writes."""
-    _, pressing, rows, matrix, six, _, _, _ = memory
+    pressing, system = memory[1], memory[2]
     body, s = world[0][0], stage[0]
     if held[0].shape[0] > 0:
         force, moment = loads_of(held[0], held[1], stage)
         flow.fx, flow.fy, flow.fz = force
         flow.mx, flow.my, flow.mz = moment
-    accelerate(flow, pressing, body, world[1], world[3], s, push, rows, matrix, six[0], six[1])
+    accelerate(flow, pressing, body, world[1], world[3], s, push, system)
     row[0], row[1], row[2] = s.vx, s.vy, s.vz
     row[3], row[4], row[5], row[6] = quaternion_rate(attitude(s), in_body(s, rotation(s)))
     for i in range(6):
-        row[7 + i] = six[1, i]
+        row[7 + i] = system[3][RATES, i]
 
 
 @inline
@@ -78,7 +87,7 @@ def _to_pose(body, y, s):
 @inner
 def _reach(flow, world, held, stage, push, memory, h, number, b):
     """Set the rates of a stage from those of the stages before it, with weights ``b``."""
-    stages, vectors = memory[5], memory[6]
+    stages, vectors = memory[3], memory[4]
     for i in range(13):
         vectors[1, i] = vectors[0, i] + h * (
             b[0] * stages[0, i]
@@ -95,7 +104,7 @@ def _reach(flow, world, held, stage, push, memory, h, number, b):
 @inner
 def _step(flow, world, held, stage, a0, a1, t, dt, h, gravity, memory):
     """Take a step from row 0 of the vectors to ``stage``; return its errors: of places and of velocities."""
-    stages, body = memory[5], world[0][0]
+    stages, body = memory[3], world[0][0]
     for number in range(1, 6):  # all rows are read
         for i in range(13):
             stages[number, i] = 0.0
@@ -139,7 +148,7 @@ def _step(flow, world, held, stage, a0, a1, t, dt, h, gravity, memory):
 @inner
 def _set_dense(memory):
     """Set rows 2 to 5 of the vectors to the coefficients of the dense output (Shampine), over the step."""
-    stages, vectors = memory[5], memory[6]
+    stages, vectors = memory[3], memory[4]
     for i in range(13):
         k1, k3, k4, k5, k6, k7 = (
             stages[0, i],
@@ -179,7 +188,7 @@ def _set_dense(memory):
 @inner
 def _go_to(flow, world, held, stage, a0, a1, t, dt, h, part, gravity, memory, forces):
     """Pose ``stage`` at a part of a step; return the margin there where ``forces`` are asked for."""
-    body, vectors = world[0][0], memory[6]
+    body, vectors = world[0][0], memory[4]
     push = push_at(a0, a1, (t + part * h) / dt, gravity)
     if flow.on_edge:
         angle, rate = angle_within(flow, h, part)
@@ -197,7 +206,7 @@ def _go_to(flow, world, held, stage, a0, a1, t, dt, h, part, gravity, memory, fo
     _to_pose(body, vectors[1], stage[0])
     if not forces:
         return 0.0
-    evaluate(flow, world, held, stage, push, memory, memory[5][1])
+    evaluate(flow, world, held, stage, push, memory, memory[3][1])
     return margin_of(flow, memory[1], _weight(body, gravity))
 
 
@@ -267,7 +276,7 @@ def _find_event(flow, world, held, stage, a0, a1, t, dt, h, gravity, memory, kin
         margin = _go_to(flow, world, held, stage, a0, a1, t, dt, h, part, gravity, memory, kind == OF_MARGIN)
         value = margin
         if kind == OF_GAP:
-            value, _ = least_gap(flow, memory[1], world, stage[0], memory[7])
+            value, _ = least_gap(flow, memory[1], world, stage[0], memory[5])
         if value < 0.0:
             high, at_high = part, value
             at_low = 0.5 * at_low if side == 1 else at_low
@@ -286,35 +295,32 @@ def _find_event(flow, world, held, stage, a0, a1, t, dt, h, gravity, memory, kin
 
 
 @inner
-def _begin_step(flow, world, held, now, stage, push, gravity, memory):
-    """Set the rates at the beginning of a step, and the margins and gaps of a flow that begins."""
+def _begin_step(flow, world, held, stage, push, gravity, memory):
+    """Set the rates at the beginning of a step; where a flow begins, too, its pose, margins and gaps."""
+    pressing, body, s = memory[1], world[0][0], stage[0]
+    begins = flow.begins
+    if begins:
+        project(flow, pressing, body, world[1], world[3], s, memory[2])
     if flow.on_edge:
-        if flow.begins:
+        if begins:
+            begin_on_edge(flow, pressing, body, world[1], s)
+        if begins or held[0].shape[0] > 0:
             flow.change = turn_on_edge(flow, world, held, stage, flow.angle, flow.rate, push)
+        if begins:
+            weight = _weight(body, gravity)
             flow.margin = press_on_edge(
-                flow,
-                memory[1],
-                world[0][0],
-                now[0],
-                flow.angle,
-                flow.rate,
-                flow.change,
-                push,
-                _weight(world[0][0], gravity),
+                flow, pressing, body, s, flow.angle, flow.rate, flow.change, push, weight
             )
-        elif held[0].shape[0] > 0:
-            flow.change = turn_on_edge(flow, world, held, stage, flow.angle, flow.rate, push)
         flow.angle0, flow.rate0, flow.change0 = flow.angle, flow.rate, flow.change
     else:
-        begins = flow.begins
-        flow.begins = 1
-        _to_vector(now[0], memory[6][0])
-        evaluate(flow, world, held, stage, push, memory, memory[5][0])
-        flow.margin = margin_of(flow, memory[1], _weight(world[0][0], gravity))
+        flow.begins = 1  # the slips are those from which directions count
+        _to_vector(s, memory[4][0])
+        evaluate(flow, world, held, stage, push, memory, memory[3][0])
+        flow.margin = margin_of(flow, pressing, _weight(body, gravity))
         flow.begins = begins
-    if flow.begins:
-        note_depths(world, now[0], memory[7])
-        flow.gap, _ = least_gap(flow, memory[1], world, now[0], memory[7])
+    if begins:
+        note_depths(world, s, memory[5])
+        flow.gap, _ = least_gap(flow, pressing, world, s, memory[5])
 
 
 @inner
@@ -335,13 +341,15 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
     if dt - t - h < 0.2 * h:
         h = dt - t
     stage[0] = now[0]
-    _begin_step(flow, world, held, now, stage, push_at(a0, a1, t / dt, gravity), gravity, memory)
+    _begin_step(flow, world, held, stage, push_at(a0, a1, t / dt, gravity), gravity, memory)
     if flow.margin < 0.0:
         return 0.0, CHANGES
+    if flow.begins:
+        now[0] = stage[0]
     flow.begins = 0
     for _ in range(MOST_STEP_TRIES):
         if h < SHORTEST_FLOW_STEP and h < dt - t:
-            return 0.0, CHANGES
+            break
         for d in range(springs.shape[0]):
             devices_before[0][d], devices_before[1][d] = pulls[d], devices[d]
         work[0] += 1.0
@@ -356,7 +364,7 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
             h *= max(LEAST_GROWTH, min(STEP_SAFETY, growth))
             continue
         margin = _end_of_step(flow, world, held, stage, a0, a1, t, dt, h, gravity, memory)
-        gap, number = least_gap(flow, memory[1], world, stage[0], memory[7])
+        gap, number = least_gap(flow, memory[1], world, stage[0], memory[5])
         how, part = GOES_ON, 1.0
         if margin < 0.0 or gap < 0.0:
             part, how = _first_event(
@@ -376,10 +384,11 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
             flow.margin, flow.gap = margin, gap
             flow.step = min(LONGEST_FLOW_STEP, h * max(LEAST_GROWTH, min(MOST_GROWTH, growth)))
         if not flow.on_edge:
-            project(flow, memory[1], body, world[1], world[3], stage[0], memory[2], memory[3], memory[4][0])
+            project(flow, memory[1], body, world[1], world[3], stage[0], memory[2])
             note_pressing_force(flow, memory[1], world[3])
         return part * h, how
-    return 0.0, CHANGES
+    stage[0] = now[0]
+    return 0.0, STIFF
 
 
 @inner
@@ -406,7 +415,7 @@ def _first_event(flow, world, held, stage, a0, a1, t, dt, h, gravity, memory, ma
             flow, world, held, stage, a0, a1, t, dt, h, gravity, memory, OF_GAP, part, flow.gap, gap
         )
         margin = _go_to(flow, world, held, stage, a0, a1, t, dt, h, part, gravity, memory, True)
-        _, number = least_gap(flow, memory[1], world, stage[0], memory[7])
+        _, number = least_gap(flow, memory[1], world, stage[0], memory[5])
         how = _how_it_meets(world, stage[0], number)
     if margin < 0.0:
         part = _find_event(

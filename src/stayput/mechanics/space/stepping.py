@@ -231,17 +231,18 @@ def refine(world, held, poses, acceleration, k, dt, t, h, gravity, scratch, rati
 
     Returns
     -------
-    float
+    tuple
         The difference of the step and its halves [m]; `CHANGED` where contacts do or a device is lost, `RUBS`
         where some begin or end to slip, which then is in row 1 of those kept. Where devices hold a body and
-        the difference is far below the one that is ``allowed``, the halves are taken in these cases too.
+        the difference is far below the one that is ``allowed``, the halves are taken in these cases too. At last the
+        number of contacts in the second.
     """
     contacts, kept, work = scratch[0], scratch[1], output[5]
     springs, pulls, devices = held
     status, count = (0.0 if _rub_alike(kept[0], kept[1]) else RUBS), 0
     for half in range(2):
         if status < 0.0 and springs.shape[0] == 0:
-            return status
+            return status, count
         second = half if h > dt else 0  # whether it is in the time after the next sample
         push = mean_push(acceleration, k + second, t + 0.5 * half * h - second * dt, 0.5 * h, dt, gravity)
         before, factor = kept[2 * half], 0.5 * ratio if half == 0 else 1.0
@@ -249,10 +250,10 @@ def refine(world, held, poses, acceleration, k, dt, t, h, gravity, scratch, rati
             world, held, poses[2 * half], poses[2 + half], push, 0.5 * h, 0.0, scratch, before, factor, work
         )
         if meets < 0.5 * h:
-            return min(status, CHANGED)
+            return min(status, CHANGED), count
         keep(contacts, count, kept[2], scratch[7][3])
         if give(springs, pulls, devices, poses[2 + half], dt * k + t + 0.5 * (1 + half) * h):
-            return min(status, CHANGED)
+            return min(status, CHANGED), count
         if h > dt and half == 0:
             note_pressing(output[0], k + 1, contacts, count, 0.5 * h)
             note_forces(pulls, output[1][k + 1])
@@ -262,8 +263,8 @@ def refine(world, held, poses, acceleration, k, dt, t, h, gravity, scratch, rati
         if status == 0.0 and not _bear_alike(kept[1], kept[2]):
             status = CHANGED
     if status == 0.0 and gives_way(contacts, count, kept, h > dt):
-        return CHANGED if h > dt else RUBS
+        return (CHANGED if h > dt else RUBS), count
     if status == 0.0:
-        return _extrapolate(world[0], poses, -1.0 / 3.0)
+        return _extrapolate(world[0], poses, -1.0 / 3.0), count
     error = _extrapolate(world[0], poses, 0.0) if springs.shape[0] > 0 else math.inf
-    return error if error <= HARMLESS * allowed else status
+    return (error if error <= HARMLESS * allowed else status), count
