@@ -82,6 +82,9 @@ TINY = 1e-12
 SLIPS_ON = 2
 """Instead of 1 for a contact that stood in the last step, and in this one slips on."""
 
+MOST_SPREADS = 6
+"""Most solutions for a lone body, each with its friction about the middle of the forces of the one before."""
+
 MOST_SWEEPS = 24
 """Sweeps after which the augmented Lagrangian takes over."""
 
@@ -188,7 +191,8 @@ def end_of(contacts, first, count):
 def _spread_anew(contacts, count, bodies, poses):
     """Let friction act about the middle of the forces that were found, where anything slips.
 
-    What sticks moves alike wherever it rubs.
+    What sticks moves alike wherever it rubs, as long as all bears: where a contact of a lone body bears nothing
+    the others may stick where they are alone. In groups that is left out: pulled joints then let go.
 
     Returns
     -------
@@ -202,6 +206,7 @@ def _spread_anew(contacts, count, bodies, poses):
             d = contacts[k]
             size = math.sqrt(d.ps * d.ps + d.pt * d.pt)
             slips = slips or (d.pn > 0.0 and size > d.mu * d.pn * (1.0 - 1e-9))
+            slips = slips or (d.pn == 0.0 and bodies.shape[0] == 1)
         kappa = _kappa(c, end - first, bodies)
         if kappa < 1.0 and end - first > 1 and slips:
             arm, _ = _middle(contacts, first, end, bodies)
@@ -437,7 +442,9 @@ def solve(contacts, count, held, bodies, poses, system, h, work):
     if not any_closes_fast(contacts, count):
         improve(contacts, count, held, bodies, poses, system, h)
     converged = _solve(contacts, count, held, bodies, poses, system, h, work)
-    if _spread_anew(contacts, count, bodies, poses):
+    for _ in range(MOST_SPREADS if bodies.shape[0] == 1 else 1):
+        if not _spread_anew(contacts, count, bodies, poses):
+            break
         set_rows(contacts, count, held, bodies, poses, system)
         improve(contacts, count, held, bodies, poses, system, h)
         converged = _solve(contacts, count, held, bodies, poses, system, h, work)
