@@ -12,7 +12,7 @@ its diagonal is added, so that they share alike, and the solution refined, so th
 
 On the floor friction acts about the centre of pressure (`stayput.mechanics.space.solve.spread_friction`), which
 follows from the forces. Rounds "forces, centre of pressure, forces" may diverge where an edge turns about
-itself; the secant of the last two (Anderson's mixing) does not.
+itself; with the secant of the last two (Aitken's relaxation) they do not.
 """
 
 from __future__ import annotations
@@ -23,6 +23,8 @@ from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import angular_response, in_body, in_room, nudge, place_of, rotation
 from stayput.mechanics.space.columns import LINE
 from stayput.mechanics.space.constants import (
+    LEAST_RELAXATION,
+    MOST_RELAXATION,
     PRESSURE_ROUNDS,
     PRESSURE_TOLERANCE,
     REFINEMENTS,
@@ -239,7 +241,7 @@ def accelerate(flow, pressing, body, points, planes, s, push, system):
     free[2] = push[2] / body.rm + body.rm * flow.fz
     free[3], free[4], free[5] = body.r1 * turning[0], body.r2 * turning[1], body.r3 * turning[2]
     set_levers(flow, pressing, points, s)
-    px = py = gx = gy = 0.0
+    last_x = last_y = 0.0
     for number in range(PRESSURE_ROUNDS):
         for i in range(6):
             total[i] = free[i]
@@ -249,16 +251,16 @@ def accelerate(flow, pressing, body, points, planes, s, push, system):
         _find_forces(system, _set_rows(flow, pressing, planes, body, s, system))
         _take_forces(flow, pressing, vectors[FORCES])
         x, y, matters = _centre_of_pressure(flow, pressing)
-        dx, dy = x - flow.cx, y - flow.cy
-        if not matters or abs(dx) + abs(dy) <= PRESSURE_TOLERANCE:
+        x, y = x - flow.cx, y - flow.cy
+        if not matters or abs(x) + abs(y) <= PRESSURE_TOLERANCE:
             break
-        mix = 0.0
         if number > 0:
-            ex, ey = dx - gx, dy - gy
-            square = ex * ex + ey * ey
-            mix = (ex * dx + ey * dy) / square if square > 0.0 else 0.0
-        flow.cx, flow.cy = x - mix * (x - px), y - mix * (y - py)
-        px, py, gx, gy = x, y, dx, dy
+            dx, dy = x - last_x, y - last_y
+            square = dx * dx + dy * dy
+            secant = -flow.relaxation * (last_x * dx + last_y * dy) / square if square > 0.0 else 1.0
+            flow.relaxation = min(MOST_RELAXATION, max(LEAST_RELAXATION, secant))
+        flow.cx, flow.cy = flow.cx + flow.relaxation * x, flow.cy + flow.relaxation * y
+        last_x, last_y = x, y
     rates[0], rates[1], rates[2] = body.rm * total[0], body.rm * total[1], body.rm * total[2]
     turning = total[3] / body.r1, total[4] / body.r2, total[5] / body.r3
     rates[3], rates[4], rates[5] = added(in_room(s, turning), 1.0, gyro)

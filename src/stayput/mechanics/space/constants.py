@@ -19,10 +19,13 @@ solutions with it, each for what the last leaves: 1e-12 of the forces, with roun
 PRESSURE_ROUNDS = 12
 """Most rounds of forces and centre of pressure; two or three are usual."""
 
-PRESSURE_TOLERANCE = 1e-9
-"""How far the centre of pressure may move in the last of them [m]: far below what errors of steps see."""
+LEAST_RELAXATION, MOST_RELAXATION = 0.02, 4.0
+"""Bounds of the factor on its change in each: where that makes another change as large, against it or with it."""
 
-SLIP_BEGIN_SPEED, SLIP_END_SPEED = 5e-3, 3e-3
+PRESSURE_TOLERANCE = 1e-6
+"""How far the centre of pressure may move in the last of them [m]: forces are exact to 1e-5 then."""
+
+SLIP_BEGIN_SPEED, SLIP_END_SPEED = 2e-3, 1e-3
 """Least slip of a contact when a flow begins, and that at which it ends [m/s]. Across a slip u friction turns
 it at the rate μ g/u, which is stiff below: there the general, implicit steps go on. The two are apart so that
 a flow that begins does not end at once.
@@ -84,6 +87,9 @@ IMPULSE_TIME = 1e-3
 
 DEVICE_LOSS_STEP = 2.5e-4
 """Longest step in which a device is lost [s]: that of general steps between whose ends contacts change."""
+
+DEVICE_YIELD_STEP = 2e-3
+"""Longest step in which a device yields or rubs [s]: what is plastic is counted at its end."""
 
 FLOW_WORK = 25.0
 """Work of a step on the budget of a run, in updates of a contact."""

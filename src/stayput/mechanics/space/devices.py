@@ -229,6 +229,20 @@ def hold(springs, pulls, bodies, poses, h):
     return changed
 
 
+@inner
+def yields(springs, pulls):
+    """Return whether the force of any device that holds is at its strength or at what its friction bears."""
+    for k in range(springs.shape[0]):
+        spring, pull = springs[k], pulls[k]
+        if pull.lost or spring.interaction:
+            continue
+        if pull.force >= spring.limit_plus[col.NORMAL] or -pull.force >= spring.limit_minus[col.NORMAL]:
+            return True
+        if pull.shear > 0.0 and pull.shear >= _most_shear(spring, pull.force) * (1.0 - 1e-12):
+            return True
+    return False
+
+
 @inline
 def _lose(pull, device, why, time):
     pull.lost, pull.force, pull.shear = 1, 0.0, 0.0

@@ -110,7 +110,6 @@ MOST_UNCONVERGED, FEW, MANY = 0.05, 20, 1000
 up to a few, as in a moment, and with many at once.
 """
 
-FLOWS = True
 LYING = 1.0 - math.cos(math.radians(89.0))
 """1 − cos of the tilt from which on a body lies."""
 
@@ -488,7 +487,7 @@ def run_in_space(
                 now[b] = trial[b]
             flowed = False
             flow.pause = max(0, flow.pause - 1)
-            if alone and FLOWS and flow.pause == 0:
+            if alone and flow.pause == 0:
                 begin_flow(world, now, contacts, count, last, gravity, memory)
                 if not flow.ready and any_closes_fast(contacts, count):
                     pace[LENGTH] = STEP_AFTER_EVENT

@@ -73,6 +73,7 @@ def begin_flow(world, poses, contacts, count, h, gravity, memory):
     flow.count, flow.all_stick = number, 1 if sticking == number else 0
     flow.on_edge = 1 if number == on_floor == sticking == 2 else 0
     flow.begins, flow.ready, flow.step = 1, 1, LONGEST_FLOW_STEP
+    flow.relaxation = 1.0
     flow.fx = flow.fy = flow.fz = flow.mx = flow.my = flow.mz = 0.0
     return True
 

@@ -14,6 +14,7 @@ from stayput.mechanics.space.active_set import RATES, accelerate, margin_of, not
 from stayput.mechanics.space.body import attitude, in_body, rotation, set_attitude
 from stayput.mechanics.space.constants import (
     DEVICE_LOSS_STEP,
+    DEVICE_YIELD_STEP,
     EVENT_TIME_TOLERANCE,
     FLOW_TOLERANCE,
     GAP_TOLERANCE,
@@ -29,7 +30,7 @@ from stayput.mechanics.space.constants import (
     VELOCITY_ERROR_TIME,
 )
 from stayput.mechanics.space.contact import velocity_at
-from stayput.mechanics.space.devices import give, loads_of
+from stayput.mechanics.space.devices import give, loads_of, yields
 from stayput.mechanics.space.solve import IMPACT
 from stayput.mechanics.space.stepping import push_at
 from stayput.mechanics.space.stuck_edge import (
@@ -373,6 +374,10 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
             if part * h < SHORTEST_FLOW:
                 stage[0] = now[0]
                 return 0.0, how
+        plastic = yields(springs, pulls)
+        if plastic and part * h > DEVICE_YIELD_STEP:
+            h = DEVICE_YIELD_STEP
+            continue
         if springs.shape[0] > 0 and give(springs, pulls, devices, stage, dt * k + t + part * h):
             if part * h > DEVICE_LOSS_STEP:
                 for d in range(springs.shape[0]):
@@ -382,7 +387,8 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
             how = CHANGES
         if part == 1.0:
             flow.margin, flow.gap = margin, gap
-            flow.step = min(LONGEST_FLOW_STEP, h * max(LEAST_GROWTH, min(MOST_GROWTH, growth)))
+            most = DEVICE_YIELD_STEP if plastic else LONGEST_FLOW_STEP
+            flow.step = min(most, h * max(LEAST_GROWTH, min(MOST_GROWTH, growth)))
         if not flow.on_edge:
             project(flow, memory[1], body, world[1], world[3], stage[0], memory[2])
             note_pressing_force(flow, memory[1], world[3])
