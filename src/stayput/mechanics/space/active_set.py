@@ -24,6 +24,7 @@ from stayput.mechanics.space.body import angular_response, in_body, in_room, nud
 from stayput.mechanics.space.columns import LINE
 from stayput.mechanics.space.constants import (
     LEAST_RELAXATION,
+    MOST_INDEPENDENT,
     MOST_RELAXATION,
     PRESSURE_ROUNDS,
     PRESSURE_TOLERANCE,
@@ -66,7 +67,7 @@ def set_levers(flow, pressing, points, s):
 
 
 @inner
-def _set_friction_levers(flow, pressing, planes, s):
+def set_friction_levers(flow, pressing, planes, s):
     """Set where friction acts, and how fast contacts slip there."""
     for c in pressing[: flow.count]:
         c.fx, c.fy, c.fz = c.rx, c.ry, c.rz
@@ -75,8 +76,13 @@ def _set_friction_levers(flow, pressing, planes, s):
         first, second = tangents(normal_of(planes[c.plane]))
         u = velocity_at(s, _friction_lever(c))
         c.us, c.ut = dot(first, u), dot(second, u)
-        if flow.begins:
-            c.ds, c.dt = c.us, c.ut
+
+
+@inline
+def note_slips(flow, pressing):
+    """Note how contacts slip as a step begins."""
+    for c in pressing[: flow.count]:
+        c.ds, c.dt = c.us, c.ut
 
 
 @inline
@@ -178,13 +184,15 @@ def _find_forces(system, number):
     """Find the forces of so many rows; the velocities' change is with them then."""
     rows, columns, matrix, vectors, pivots = system
     forces, rest, total = vectors[FORCES], vectors[REST], vectors[TOTAL]
+    shared = number > MOST_INDEPENDENT
     for i in range(number):
         for j in range(number):
             matrix[i, j] = _product(rows[i], columns[j])
-        matrix[i, i] += SHARING * _product(rows[i], rows[i])
+        if shared:
+            matrix[i, i] += SHARING * _product(rows[i], rows[i])
         forces[i] = 0.0
     _factorize(matrix, pivots, number)
-    for _ in range(REFINEMENTS):
+    for _ in range(REFINEMENTS if shared else 1):
         for i in range(number):
             rest[i] = -_product(rows[i], total) - vectors[BENDS, i]
         _solve(matrix, pivots, number, rest)
@@ -247,7 +255,7 @@ def accelerate(flow, pressing, body, points, planes, s, push, system):
             total[i] = free[i]
         if flow.count == 0:
             break
-        _set_friction_levers(flow, pressing, planes, s)
+        set_friction_levers(flow, pressing, planes, s)
         _find_forces(system, _set_rows(flow, pressing, planes, body, s, system))
         _take_forces(flow, pressing, vectors[FORCES])
         x, y, matters = _centre_of_pressure(flow, pressing)
@@ -307,7 +315,7 @@ def project(flow, pressing, body, points, planes, s, system):
     total = vectors[TOTAL]
     for velocities in range(2):
         set_levers(flow, pressing, points, s)
-        _set_friction_levers(flow, pressing, planes, s)
+        set_friction_levers(flow, pressing, planes, s)
         for i in range(6):
             total[i] = 0.0
         if velocities:

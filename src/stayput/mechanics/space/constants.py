@@ -11,6 +11,9 @@ PRESSING_SHARE = 1e-6
 MOST_ROWS = 3 * MOST_PRESSING
 """Most velocities that contacts forbid: all stick."""
 
+MOST_INDEPENDENT = 3
+"""Most rows that are taken to be independent: those of a corner that sticks, or of three that slip."""
+
 SHARING, REFINEMENTS = 1e-6, 2
 """Share of the diagonal that is added so that contacts share where there are more than the body needs, and
 solutions with it, each for what the last leaves: 1e-12 of the forces, with rounding of 1e-10.

@@ -10,7 +10,16 @@ from __future__ import annotations
 import math
 
 from stayput.compiling import inline, inner
-from stayput.mechanics.space.active_set import RATES, accelerate, margin_of, note_pressing_force, project
+from stayput.mechanics.space.active_set import (
+    RATES,
+    accelerate,
+    margin_of,
+    note_pressing_force,
+    note_slips,
+    project,
+    set_friction_levers,
+    set_levers,
+)
 from stayput.mechanics.space.body import attitude, in_body, rotation, set_attitude
 from stayput.mechanics.space.constants import (
     DEVICE_LOSS_STEP,
@@ -314,11 +323,18 @@ def _begin_step(flow, world, held, stage, push, gravity, memory):
             )
         flow.angle0, flow.rate0, flow.change0 = flow.angle, flow.rate, flow.change
     else:
-        flow.begins = 1  # the slips are those from which directions count
+        stages = memory[3]
         _to_vector(s, memory[4][0])
-        evaluate(flow, world, held, stage, push, memory, memory[3][0])
-        flow.margin = margin_of(flow, pressing, _weight(body, gravity))
-        flow.begins = begins
+        if begins:
+            set_levers(flow, pressing, world[1], s)
+            set_friction_levers(flow, pressing, world[3], s)
+        note_slips(flow, pressing)
+        if begins or held[0].shape[0] > 0:
+            evaluate(flow, world, held, stage, push, memory, stages[0])
+            flow.margin = margin_of(flow, pressing, _weight(body, gravity))
+        else:  # as the last step ended
+            for i in range(13):
+                stages[0, i] = stages[6, i]
     if begins:
         note_depths(world, s, memory[5])
         flow.gap, _ = least_gap(flow, pressing, world, s, memory[5])
@@ -343,7 +359,7 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
         h = dt - t
     stage[0] = now[0]
     _begin_step(flow, world, held, stage, push_at(a0, a1, t / dt, gravity), gravity, memory)
-    if flow.margin < 0.0:
+    if not flow.margin >= 0.0:
         return 0.0, CHANGES
     if flow.begins:
         now[0] = stage[0]
