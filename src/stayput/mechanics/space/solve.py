@@ -82,7 +82,7 @@ TINY = 1e-12
 SLIPS_ON = 2
 """Instead of 1 for a contact that stood in the last step, and in this one slips on."""
 
-MOST_SPREADS = 6
+MOST_SPREADS = 2
 """Most solutions for a lone body, each with its friction about the middle of the forces of the one before."""
 
 MOST_SWEEPS = 24
