@@ -205,6 +205,7 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
     now, trial = poses[0], poses[1]
     springs, most = held[0].shape[0] > 0, numbers[4]
     shortest, round_edges = pace[LIMIT], world[2].shape[0] > 0
+    lone = poses.shape[1] == 1 and not round_edges
     least_h = (RIM_LEAST if round_edges else LEAST) * longest
     h = (dt - t) / math.ceil((dt - t) / pace[LENGTH] * (1.0 - 1e-12))
     if springs and t == 0.0 and pace[LENGTH] >= 2.0 * dt and k + 2 < acceleration.shape[0]:
@@ -236,10 +237,10 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
             switch_now(contacts, count, kept, switch, trial)
             if fastest(world[0], trial) <= CREEPS and all_stick(contacts, count):
                 _stop_all(trial)
-            pace[LENGTH] = min(max(pace[LENGTH], 2.0 * h), most)
+            pace[LENGTH] = min(max(pace[LENGTH], 2.0 * h), longest if lone else most)
             return h, count, least, False
         plain = plain or pace[ROUGH] > 0.0 or h < max(0.5 * least_h, 2.0 * shortest)
-        plain = plain or any_closes_fast(contacts, count)
+        plain = plain or lone or any_closes_fast(contacts, count)
         # from rest it may begin to move within the step, which its end does not tell
         slow = 0.0 < fastest(world[0], now) <= CREEPS and fastest(world[0], trial) <= CREEPS
         if (plain and h > longest) or (slow and h > dt):
@@ -250,7 +251,7 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
                 keep(contacts, count, kept[1], scratch[7][3])
                 switch, h = stands / h + AT_ONCE, stands
                 continue
-            pace[LENGTH] = min(GROWS * h, most) if slow else min(max(pace[LENGTH], 2.0 * h), longest)
+            pace[LENGTH] = min(GROWS * h, most) if slow and not lone else min(max(pace[LENGTH], 2.0 * h), longest)
             return h, count, least, False
         slides = not springs and not all_stick(contacts, count)
         within = RIM_TOLERANCE if round_edges else (SLIDING if slides else TOLERANCE)
