@@ -37,14 +37,16 @@ a flow that begins does not end at once.
 PINNED_SPEED = 1e-4
 """Speed up to which a body on three or more contacts is taken to come to rest [m/s]: the general law tells."""
 
-FLOW_TOLERANCE = 1e-4
-"""Error of a step over its length up to which it is accepted [m/s]: 1 µm in a sample of 10 ms."""
+FLOW_TOLERANCE = 0.1
+"""Error of a step over its length, and over that of the longest plain one, up to which it is accepted [m/s²]: 1 µm
+in a sample of 10 ms. Ten times more saves a tenth of the time of pieces that slide and moves one fall in fifty.
+"""
 
 VELOCITY_ERROR_TIME = 0.01
 """Time for which an error of velocities is taken to last, beside one of places [s]."""
 
-LONGEST_FLOW_STEP, SHORTEST_FLOW_STEP = 0.05, 1e-4
-"""Longest and shortest step [s]. What needs shorter ones, such as a strong damper, is stiff and left to the
+LONGEST_FLOW_STEP, SHORTEST_FLOW_STEP = 0.05, 0.1
+"""Longest step [s], and the shortest, over the longest plain one. What needs shorter ones, such as a strong damper, is stiff and left to the
 general law.
 """
 
@@ -80,19 +82,19 @@ SETTLE_GAP, SETTLE_SPEED = 1e-6, 3e-3
 rebound without end, less each time.
 """
 
-STEP_AFTER_EVENT = 2e-5
-"""Length of the general step after an event, which tells how it goes on [s]: plain, of second order, and so short
-that its error does not count.
+STEP_AFTER_EVENT = 0.02
+"""Length of the general step after an event, which tells how it goes on, over the longest plain one: so short that
+its error does not count.
 """
 
 IMPULSE_TIME = 1e-3
 """Length of the step as of which forces of a flow are kept for the next general one [s]."""
 
-DEVICE_LOSS_STEP = 2.5e-4
-"""Longest step in which a device is lost [s]: that of general steps between whose ends contacts change."""
+DEVICE_LOSS_STEP = 0.25
+"""Longest step in which a device is lost, over the longest plain one."""
 
-DEVICE_YIELD_STEP = 2e-3
-"""Longest step in which a device yields or rubs [s]: what is plastic is counted at its end."""
+DEVICE_YIELD_STEP = 2.0
+"""The same in which a device yields or rubs: what is plastic is counted at its end."""
 
 FLOW_WORK = 25.0
 """Work of a step on the budget of a run, in updates of a contact."""

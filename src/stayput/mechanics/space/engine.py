@@ -431,7 +431,7 @@ def run_in_space(
                 if why == SLIPS and on_floor_alone(contacts, count, b):
                     let_slip(world, b, kept[0])
                 if alone and part * dt > t:
-                    pace[LENGTH] = STEP_AFTER_EVENT
+                    pace[LENGTH] = STEP_AFTER_EVENT * longest
                 t = part * dt
                 flow.ready = 0
             if flow.ready:
@@ -453,7 +453,7 @@ def run_in_space(
                             settle(world, now, gaps[0], kept[0], memory)
                             note_all_gaps(world, now, scratch, gaps[0])
                     if flowed or not flow.refused:
-                        pace[LENGTH] = least_step if how == HITS else STEP_AFTER_EVENT
+                        pace[LENGTH] = least_step if how == HITS else STEP_AFTER_EVENT * longest
                     flow.refused = 1 if h == 0.0 else 0
                     if how == STIFF:
                         flow.pause = STIFF_PAUSE
@@ -491,7 +491,7 @@ def run_in_space(
             if alone and flow.pause == 0:
                 begin_flow(world, now, contacts, count, last, gravity, memory)
                 if not flow.ready and any_closes_fast(contacts, count):
-                    pace[LENGTH] = STEP_AFTER_EVENT
+                    pace[LENGTH] = STEP_AFTER_EVENT * longest
             note_peaks(bodies, now, peaks)
             _copy_rows(gaps[1:2], gaps[0:1])
             t = max(dt, h) if t + h >= dt - 1e-12 else t + h

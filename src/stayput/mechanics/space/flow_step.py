@@ -349,7 +349,7 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
     tuple
         How long, 0 where it does not, and how it ends.
     """
-    dt, gravity = numbers[0], numbers[2]
+    dt, longest, gravity = numbers[0], numbers[1], numbers[2]
     flow, body = memory[0][0], world[0][0]
     springs, pulls, devices = held
     now, stage = poses[0], poses[1]
@@ -365,7 +365,7 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
         now[0] = stage[0]
     flow.begins = 0
     for _ in range(MOST_STEP_TRIES):
-        if h < SHORTEST_FLOW_STEP and h < dt - t:
+        if h < SHORTEST_FLOW_STEP * longest and h < dt - t:
             break
         for d in range(springs.shape[0]):
             devices_before[0][d], devices_before[1][d] = pulls[d], devices[d]
@@ -376,8 +376,9 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
         else:
             place_off, off = _step(flow, world, held, stage, a0, a1, t, dt, h, gravity, memory)
             error = place_off + VELOCITY_ERROR_TIME * off
-        growth = STEP_SAFETY * (FLOW_TOLERANCE * h / max(error, 1e-30)) ** 0.2
-        if not error <= FLOW_TOLERANCE * h:
+        allowed = FLOW_TOLERANCE * longest * h
+        growth = STEP_SAFETY * (allowed / max(error, 1e-30)) ** 0.2
+        if not error <= allowed:
             h *= max(LEAST_GROWTH, min(STEP_SAFETY, growth))
             continue
         margin = _end_of_step(flow, world, held, stage, a0, a1, t, dt, h, gravity, memory)
@@ -391,19 +392,19 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
                 stage[0] = now[0]
                 return 0.0, how
         plastic = yields(springs, pulls)
-        if plastic and part * h > DEVICE_YIELD_STEP:
-            h = DEVICE_YIELD_STEP
+        if plastic and part * h > DEVICE_YIELD_STEP * longest:
+            h = DEVICE_YIELD_STEP * longest
             continue
         if springs.shape[0] > 0 and give(springs, pulls, devices, stage, dt * k + t + part * h):
-            if part * h > DEVICE_LOSS_STEP:
+            if part * h > DEVICE_LOSS_STEP * longest:
                 for d in range(springs.shape[0]):
                     pulls[d], devices[d] = devices_before[0][d], devices_before[1][d]
-                h = max(0.25 * part * h, 0.5 * DEVICE_LOSS_STEP)
+                h = max(0.25 * part * h, 0.5 * DEVICE_LOSS_STEP * longest)
                 continue
             how = CHANGES
         if part == 1.0:
             flow.margin, flow.gap = margin, gap
-            most = DEVICE_YIELD_STEP if plastic else LONGEST_FLOW_STEP
+            most = DEVICE_YIELD_STEP * longest if plastic else LONGEST_FLOW_STEP
             flow.step = min(most, h * max(LEAST_GROWTH, min(MOST_GROWTH, growth)))
         if not flow.on_edge:
             project(flow, memory[1], body, world[1], world[3], stage[0], memory[2])
