@@ -139,13 +139,29 @@ slipped as the step began.
 """
 
 FLOW = record(
-    *integers("ready", "begins", "count", "all_stick", "on_edge", "refused", "pause"),
-    *floats("step", "margin", "gap", "cx", "cy", "relaxation", "fx", "fy", "fz", "mx", "my", "mz", "px", "py", "pz"),
+    *integers("ready", "moved", "begins", "count", "all_stick", "on_edge", "refused", "pause"),
+    *floats(
+        "step",
+        "margin",
+        "gap",
+        "cx",
+        "cy",
+        "relaxation",
+        "fx",
+        "fy",
+        "fz",
+        "mx",
+        "my",
+        "mz",
+        "px",
+        "py",
+        "pz",
+    ),
     *floats("qw", "qx", "qy", "qz", "angle", "rate", "change", "angle0", "rate0", "change0"),
     *floats("ex", "ey", "ez", "ox", "oy", "oz", "gx", "gy", "gz", "bx", "by", "bz", "ax", "ay", "az"),
     *floats("ix", "iy", "iz", "inertia", "half"),
 )
-"""A flow: whether the body is on one, and at its beginning; how many contacts press, whether all stick, and
+"""A flow: whether the body is on one, has moved by one last, and is at its beginning; how many contacts press, whether all stick, and
 whether they are an edge, whether the last one
 ended before it began, and how many general steps are to be taken before the next; the length of its next step [s]; the least margin of its forces and slips, and the
 least gap of what else may touch; the centre of pressure on the floor from G, and the

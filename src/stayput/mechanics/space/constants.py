@@ -1,8 +1,8 @@
 """Constants of the flow, the motion of a lone body between events (`stayput.mechanics.space.flow`)."""
 
-MOST_PRESSING = 8
-"""Most contacts that press in a flow: four corners on the floor and four on walls. With more the general law
-goes on.
+MOST_PRESSING = 24
+"""Most contacts that press in a flow: corners of a base with many, or of a box on the floor and walls. With more the
+general law goes on.
 """
 
 PRESSING_SHARE = 1e-6
@@ -76,6 +76,9 @@ EVENT_TIME_TOLERANCE = 1e-9
 
 MOST_EVENT_LOOKS = 60
 """Most evaluations to find it; bisection alone takes 24 of 10 ms."""
+
+SETTLED_GAP = 1e-9
+"""Gap of a point of a body at rest up to which it is on the floor [m]: rounding, and what steps leave."""
 
 SETTLE_GAP, SETTLE_SPEED = 1e-6, 3e-3
 """Gap and speed up to which corners beside one that lands slowly are stopped with it [m, m/s]: they would rock and

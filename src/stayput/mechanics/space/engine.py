@@ -18,9 +18,8 @@ import math
 from typing import Any
 
 from stayput.compiling import entry, inline, inner
-from stayput.mechanics.space.body import angular_response, attitude, nudge, place_of, sag, set_attitude, stop
-from stayput.mechanics.space.closing import ENTERS_BODIES, TOGETHER, keep, meeting, note_all_gaps
-from stayput.mechanics.space.contact import mobility
+from stayput.mechanics.space.body import attitude, set_attitude, stop
+from stayput.mechanics.space.closing import TOGETHER, keep, meeting, note_all_gaps
 from stayput.mechanics.space.devices import give, note_forces, note_loads
 from stayput.mechanics.space.events import (
     all_stick,
@@ -35,9 +34,9 @@ from stayput.mechanics.space.events import (
     switch_now,
 )
 from stayput.mechanics.space.constants import FLOW_WORK, IMPULSE_TIME, STEP_AFTER_EVENT, STIFF_PAUSE
-from stayput.mechanics.space.flow import begin_flow, keep_flow, note_flow, settle
+from stayput.mechanics.space.flow import begin_flow, keep_flow, note_flow, settle, stands_off
 from stayput.mechanics.space.flow_step import GOES_ON, HITS, LANDS, STIFF, advance_flow
-from stayput.mechanics.space.pairs import deepest, place_corners, touch
+from stayput.mechanics.space.penetration import move_out
 from stayput.mechanics.space.rest import (
     SLIPS,
     STAYS,
@@ -50,14 +49,9 @@ from stayput.mechanics.space.rest import (
 )
 from stayput.mechanics.space.solve import any_closes_fast
 from stayput.mechanics.space.stepping import RUBS, fastest, mean_push, moves, push_at, refine, step
-from stayput.mechanics.space.touching import gap_of, lever_of_point, lowest_lever, may_touch
-from stayput.mechanics.space.vectors import added, cross, normal_of
 
 IGNORED = 1e-12
 """Depth up to which a body that has entered another stays [m]: rounding."""
-
-LEFT = 0.5 * ENTERS_BODIES
-"""The same of bodies in each other: what is moved out of one is moved into what bears it."""
 
 SHORTEST, SHORTEST_OF_SEVERAL = 1e-7, 1e-6
 """Shortest step to where corners of a body alone meet planes; and to where rims or bodies do, which meet more
@@ -119,58 +113,6 @@ to come; shortest steps in a row, and their length.
 """
 
 
-@inner
-def _nudge_along(body, s, lever, n, size):
-    turn = angular_response(s, cross(lever, n))
-    by = size / body.mass
-    nudge(body, s, (by * n[0], by * n[1], by * n[2]), (size * turn[0], size * turn[1], size * turn[2]))
-
-
-@inner
-def _move_out(body, s, lever, plane, bent):
-    """Move a body out of a plane that a point has entered by more than ``bent``, as an impulse would."""
-    gap = gap_of(s, lever, plane)
-    if gap < -bent:
-        n = normal_of(plane)
-        _nudge_along(body, s, lever, n, -gap / mobility(body, s, lever, n))
-
-
-@inner
-def _move_all_out(world, poses, scratch, h):
-    """Move bodies out of each other and of planes, where deeper than paths bend in a step (0: refined)."""
-    bodies, points, rims, planes, pairs, faces, loops, edges = world
-    corners, polygons, touching, axes = scratch[3], scratch[4], scratch[5], scratch[8]
-    place_corners(bodies, poses, points, corners)
-    for j in range(pairs.shape[0]):
-        a, b = pairs[j].a, pairs[j].b
-        body, other, s, r = bodies[a], bodies[b], poses[a], poses[b]
-        _, count, n = touch(body, s, other, r, 0.0, axes[j], faces, loops, edges, corners, polygons, touching)
-        bent = sag(body, s, h) + sag(other, r, h)
-        if count and deepest(touching, count) >= -bent - LEFT:
-            continue
-        for m in range(count):
-            if touching[m, 3] < -bent:
-                place = touching[m, 0], touching[m, 1], touching[m, 2]
-                lever, arm = added(place, -1.0, place_of(s)), added(place, -1.0, place_of(r))
-                both = mobility(body, s, lever, n) + mobility(other, r, arm, n)
-                size = -touching[m, 3] / both / count  # each of them moves all of a face
-                _nudge_along(body, s, lever, n, size)
-                _nudge_along(other, r, arm, n, -size)
-        if count:
-            place_corners(bodies[a : a + 1], poses[a : a + 1], points, corners)
-            place_corners(bodies[b : b + 1], poses[b : b + 1], points, corners)
-    for b in range(bodies.shape[0]):
-        body, s = bodies[b], poses[b]
-        bent = sag(body, s, h)
-        for plane in planes:
-            for i in range(body.first_point, body.first_point + body.points):
-                if may_touch(points[i], plane):
-                    _move_out(body, s, lever_of_point(s, points[i]), plane, bent)
-            for i in range(body.first_rim, body.first_rim + body.rims):
-                if may_touch(rims[i], plane):
-                    _move_out(body, s, lowest_lever(s, rims[i], plane), plane, bent)
-
-
 @inline
 def _stop_all(poses):
     for b in range(poses.shape[0]):
@@ -205,7 +147,7 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
     now, trial = poses[0], poses[1]
     springs, most = held[0].shape[0] > 0, numbers[4]
     shortest, round_edges = pace[LIMIT], world[2].shape[0] > 0
-    lone = poses.shape[1] == 1 and not round_edges
+    lone = _flows(world)
     least_h = (RIM_LEAST if round_edges else LEAST) * longest
     h = (dt - t) / math.ceil((dt - t) / pace[LENGTH] * (1.0 - 1e-12))
     if springs and t == 0.0 and pace[LENGTH] >= 2.0 * dt and k + 2 < acceleration.shape[0]:
@@ -251,7 +193,9 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
                 keep(contacts, count, kept[1], scratch[7][3])
                 switch, h = stands / h + AT_ONCE, stands
                 continue
-            pace[LENGTH] = min(GROWS * h, most) if slow and not lone else min(max(pace[LENGTH], 2.0 * h), longest)
+            pace[LENGTH] = (
+                min(GROWS * h, most) if slow and not lone else min(max(pace[LENGTH], 2.0 * h), longest)
+            )
             return h, count, least, False
         slides = not springs and not all_stick(contacts, count)
         within = RIM_TOLERANCE if round_edges else (SLIDING if slides else TOLERANCE)
@@ -343,6 +287,86 @@ def _all_lie(bodies, poses):
     return True
 
 
+@inline
+def _flows(world):
+    """Return whether what stands in the room is a lone body without rims, which flows between events."""
+    return world[0].shape[0] == 1 and world[2].shape[0] == 0
+
+
+@inline
+def _shortest(alone):
+    return SHORTEST if alone else SHORTEST_OF_SEVERAL
+
+
+@inner
+def _flow(world, held, poses, acceleration, k, t, numbers, last, scratch, output):
+    """Flow on from the time t after sample k.
+
+    Returns
+    -------
+    tuple
+        How long, 0 where it does not, and the length of the step that the contacts kept are of.
+    """
+    longest, now, pace, memory = numbers[1], poses[0], scratch[11], scratch[12]
+    flow, kept, gaps = memory[0][0], scratch[1][0], scratch[2][0]
+    devices_before = scratch[9], scratch[10]
+    h, how = advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before, memory, output[5])
+    if h > 0.0:
+        now[0] = poses[1, 0]
+        note_peaks(world[0], now, output[4])
+        flow.moved, flow.refused = 1, 0
+    if h > 0.0 and how == GOES_ON:
+        return h, last
+    flow.ready = 0
+    if flow.moved:
+        last = IMPULSE_TIME
+        note_all_gaps(world, now, scratch, gaps)
+        keep_flow(kept, memory)
+        if how == LANDS:
+            settle(world, now, gaps, kept, memory)
+            note_all_gaps(world, now, scratch, gaps)
+    if flow.moved or not flow.refused:
+        pace[LENGTH] = SHORTEST if how == HITS else STEP_AFTER_EVENT * longest
+    flow.refused = 1 if h == 0.0 else 0
+    flow.pause = STIFF_PAUSE if how == STIFF else 0
+    return h, last
+
+
+@inner
+def _accept(world, held, poses, count, time, h, least, refined, numbers, scratch, output):
+    """Accept a step of length h that began at a time; return the length of that whose contacts are kept."""
+    bodies, now, trial = world[0], poses[0], poses[1]
+    contacts, kept, gaps, pace, memory = scratch[0], scratch[1], scratch[2], scratch[11], scratch[12]
+    longest, gravity, alone, flow = numbers[1], numbers[2], _flows(world), memory[0][0]
+    _set_limit(pace, h, least, _shortest(alone), LEAST * longest)
+    if least < -IGNORED:
+        move_out(world, trial, scratch, 0.0 if refined else h)
+        note_all_gaps(world, trial, scratch, gaps[1])
+    last = 0.5 * h if refined else h
+    if refined:
+        note_peaks(bodies, poses[2], output[4])
+        _copy_rows(kept[2], kept[0])
+    else:
+        if pace[SHORT] == 0.0:
+            pace[ROUGH] = max(0.0, pace[ROUGH] - 1.0)
+        note_hits(contacts, count, kept[0], time + h, trial, output[2], output[3])
+        keep(contacts, count, kept[0], scratch[7][3])
+        give(held[0], held[1], held[2], trial, time + h)
+    for b in range(bodies.shape[0]):
+        now[b] = trial[b]
+    _copy_rows(gaps[1:2], gaps[0:1])
+    flow.moved, flow.pause = 0, max(0, flow.pause - 1)
+    if alone and flow.pause == 0:
+        begin_flow(world, now, contacts, count, last, gravity, memory)
+        if not flow.ready and any_closes_fast(contacts, count):
+            pace[LENGTH] = STEP_AFTER_EVENT * longest
+    if alone and not moves(now[0]) and stands_off(world, gaps[0]):
+        settle(world, now, gaps[0], kept[0], memory)
+        note_all_gaps(world, now, scratch, gaps[0])
+    note_peaks(bodies, now, output[4])
+    return last
+
+
 @entry
 def run_in_space(
     world: Any, held: Any, poses: Any, acceleration: Any, numbers: Any, scratch: Any, output: Any
@@ -383,36 +407,25 @@ def run_in_space(
     dt, longest, gravity = numbers[0], numbers[1], numbers[2]
     bodies, floor = world[0], world[3][0]
     contacts, kept, gaps = scratch[0], scratch[1], scratch[2]
-    histories, forces, hits, hit_numbers, peaks, work = output
-    now, trial = poses[0], poses[1]
+    histories, forces, work = output[0], output[1], output[5]
+    now = poses[0]
     for b in range(bodies.shape[0]):
         set_attitude(bodies[b], now[b], attitude(now[b]))
     note_pose(histories, 0, now)
     note_all_gaps(world, now, scratch, gaps[0])
     last, lies, count = 0.0, 0.0, 0
-    alone = poses.shape[1] == 1 and world[2].shape[0] == 0
-    least_step = SHORTEST if alone else SHORTEST_OF_SEVERAL
-    pace = scratch[11]
+    alone, pace = _flows(world), scratch[11]
     pace[LENGTH], pace[EVENT], pace[ROUGH] = longest, LEAST * longest, 0.0
-    pace[SHORT], pace[LIMIT] = 0.0, least_step
-    noted, bears, why = False, False, STAYS
-    memory = scratch[12]
-    flow, flowed, stayed = memory[0][0], False, False
-    flow.ready = 0
+    pace[SHORT], pace[LIMIT] = 0.0, _shortest(alone)
+    noted, bears, why, stayed = False, False, STAYS, False
+    flow = scratch[12][0][0]
+    flow.ready = flow.moved = 0
     k = 0
     while k < acceleration.shape[0] - 1:
         a0, a1, start = acceleration[k], acceleration[k + 1], dt * k
         t = 0.0
         if stayed and alone and surely_stays(bodies, now, floor, push_at(a0, a1, 1.0, gravity), scratch[6]):
-            note_pose(histories, k + 1, now)
-            note_weight(histories, k + 1, bodies, push_at(a0, a1, 1.0, gravity), scratch[6][4])
-            note_forces(held[1], forces[k + 1])
-            lies = lies + dt if _all_lie(bodies, now) else 0.0
-            if lies > numbers[3]:
-                _stay(bodies, now, histories, k + 2)
-                return
-            k += 1
-            continue
+            t = dt
         while t < dt:
             # what preloaded devices bear at rest is known after a step
             if (last > 0.0 or held[0].shape[0] == 0) and _at_rest(now):
@@ -435,29 +448,10 @@ def run_in_space(
                 t = part * dt
                 flow.ready = 0
             if flow.ready:
-                h, how = advance_flow(world, held, poses, acceleration, k, t, numbers, scratch[9:11], memory, work)
-                work[2] += FLOW_WORK
+                h, last = _flow(world, held, poses, acceleration, k, t, numbers, last, scratch, output)
                 if h > 0.0:
-                    now[0] = trial[0]
-                    note_peaks(bodies, now, peaks)
                     t = dt if t + h >= dt - 1e-12 else t + h
-                    flowed, noted, why = True, False, TIPS
-                    flow.refused = 0
-                if h == 0.0 or how != GOES_ON:
-                    flow.ready = 0
-                    if flowed:
-                        last = IMPULSE_TIME
-                        note_all_gaps(world, now, scratch, gaps[0])
-                        keep_flow(kept[0], memory)
-                        if how == LANDS:
-                            settle(world, now, gaps[0], kept[0], memory)
-                            note_all_gaps(world, now, scratch, gaps[0])
-                    if flowed or not flow.refused:
-                        pace[LENGTH] = least_step if how == HITS else STEP_AFTER_EVENT * longest
-                    flow.refused = 1 if h == 0.0 else 0
-                    if how == STIFF:
-                        flow.pause = STIFF_PAUSE
-                if h > 0.0:
+                    noted, why = False, TIPS
                     continue
             if work[2] > work[3] or work[1] > max(MANY, MOST_UNCONVERGED * work[0]):
                 _stay(bodies, now, histories, k + 1)
@@ -465,35 +459,7 @@ def run_in_space(
             h, count, least, refined = _advance(
                 world, held, poses, acceleration, k, numbers, t, last, scratch, pace, output
             )
-            _set_limit(pace, h, least, least_step, LEAST * longest)
-            if least < -IGNORED:
-                _move_all_out(world, trial, scratch, 0.0 if refined else h)
-                note_all_gaps(world, trial, scratch, gaps[1])
-            elif refined and alone and count == 1 and contacts[0].floor and 0.0 < least <= TOGETHER:
-                # what steps leave below the corner on which it turns would be energy
-                trial[0].z -= least
-                note_all_gaps(world, trial, scratch, gaps[1])
-            if refined:
-                note_peaks(bodies, poses[2], peaks)
-                _copy_rows(kept[2], kept[0])
-                last = 0.5 * h
-            else:
-                if pace[SHORT] == 0.0:
-                    pace[ROUGH] = max(0.0, pace[ROUGH] - 1.0)
-                note_hits(contacts, count, kept[0], start + t + h, trial, hits, hit_numbers)
-                keep(contacts, count, kept[0], scratch[7][3])
-                give(held[0], held[1], held[2], trial, start + t + h)
-                last = h
-            for b in range(bodies.shape[0]):
-                now[b] = trial[b]
-            flowed = False
-            flow.pause = max(0, flow.pause - 1)
-            if alone and flow.pause == 0:
-                begin_flow(world, now, contacts, count, last, gravity, memory)
-                if not flow.ready and any_closes_fast(contacts, count):
-                    pace[LENGTH] = STEP_AFTER_EVENT * longest
-            note_peaks(bodies, now, peaks)
-            _copy_rows(gaps[1:2], gaps[0:1])
+            last = _accept(world, held, poses, count, start + t, h, least, refined, numbers, scratch, output)
             t = max(dt, h) if t + h >= dt - 1e-12 else t + h
             noted, why = False, TIPS
         stayed = why == STAYS
@@ -504,7 +470,7 @@ def run_in_space(
         note_pose(histories, k + 1, now)
         if why == STAYS:
             note_weight(histories, k + 1, bodies, push_at(a0, a1, 1.0, gravity), scratch[6][4])
-        elif flowed:
+        elif flow.moved:
             note_flow(histories, k + 1, flow)
         else:
             note_pressing(histories, k + 1, contacts, count, last)

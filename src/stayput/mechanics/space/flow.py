@@ -20,9 +20,9 @@ from stayput.mechanics.space.columns import BY_ROOM
 from stayput.mechanics.space.constants import (
     IMPULSE_TIME,
     LONGEST_FLOW_STEP,
-    MOST_PRESSING,
     PINNED_SPEED,
     PRESSING_SHARE,
+    SETTLED_GAP,
     SETTLE_GAP,
     SETTLE_SPEED,
     SLIP_BEGIN_SPEED,
@@ -31,7 +31,7 @@ from stayput.mechanics.space.contact import slip, velocity_at
 from stayput.mechanics.space.solve import any_closes_fast
 from stayput.mechanics.space.stepping import fastest
 from stayput.mechanics.space.touching import lever_of_point
-from stayput.mechanics.space.vectors import added, dot, normal_of
+from stayput.mechanics.space.vectors import added
 
 
 @inline
@@ -61,7 +61,7 @@ def begin_flow(world, poses, contacts, count, h, gravity, memory):
             on_floor += 1 if c.floor else 0
             sticking += 1 if c.stuck else 0
             u, v = slip(c, poses)
-            if number > MOST_PRESSING or (not c.stuck and math.hypot(u, v) < SLIP_BEGIN_SPEED):
+            if number > pressing.shape[0] or (not c.stuck and math.hypot(u, v) < SLIP_BEGIN_SPEED):
                 return False
     if number > 2 and fastest(world[0], poses) <= PINNED_SPEED:
         return False
@@ -91,25 +91,34 @@ def keep_flow(kept, memory):
         row[3] = float(c.sticks)
 
 
+@inline
+def stands_off(world, gaps):
+    """Return whether a point is nearly on the floor: within what counts as closed, and above rounding."""
+    points = world[1]
+    for i in range(points.shape[0]):
+        if points[i].floor and SETTLED_GAP < gaps[i] <= SETTLE_GAP:
+            return True
+    return False
+
+
 @inner
 def settle(world, poses, gaps, kept, memory):
-    """Stop the points that are about to land slowly, or to leave a plane so, and put them onto their planes.
+    """Stop points that are about to land on the floor slowly, or to leave it so, and put them onto it.
 
     Their friction is that of those that pressed, and stays noted.
     """
     flow, pressing = memory[0][0], memory[1]
     body, points, planes, s = world[0][0], world[1], world[3], poses[0]
-    sticks = flow.all_stick
+    sticks = 1
+    for c in pressing[: flow.count]:
+        sticks = sticks if c.sticks else 0
     flow.count = flow.all_stick = 0
-    for key in range(kept.shape[0]):
-        j = key // points.shape[0]
-        n, i = normal_of(planes[j]), key - j * points.shape[0]
-        if gaps[key] > SETTLE_GAP or flow.count == MOST_PRESSING:
-            continue
-        if abs(dot(n, velocity_at(s, lever_of_point(s, points[i])))) <= SETTLE_SPEED:
+    for i in range(points.shape[0]):
+        near = points[i].floor and gaps[i] <= SETTLE_GAP and flow.count < pressing.shape[0]
+        if near and abs(velocity_at(s, lever_of_point(s, points[i]))[2]) <= SETTLE_SPEED:
             c = pressing[flow.count]
-            c.key, c.plane, c.point, c.floor, c.sticks, c.kappa = key, j, i, planes[j].floor, sticks, 1.0
-            kept[key, 3] = float(sticks) if kept[key, 3] == OPEN else kept[key, 3]
+            c.key, c.plane, c.point, c.floor, c.sticks, c.kappa = i, 0, i, 1, sticks, 1.0
+            kept[i, 3] = float(sticks) if kept[i, 3] == OPEN else kept[i, 3]
             flow.count += 1
     project(flow, pressing, body, points, planes, s, memory[2])
 

@@ -272,7 +272,9 @@ def _how_it_meets(world, s, number):
 
 
 @inner
-def _find_event(flow, world, held, stage, a0, a1, t, dt, h, gravity, memory, kind, last, first_value, last_value):
+def _find_event(
+    flow, world, held, stage, a0, a1, t, dt, h, gravity, memory, kind, last, first_value, last_value
+):
     """Return the part of a step at which a gap closes, or a margin is used up, by false position (Illinois).
 
     It is just before a gap is closed, and just beyond a margin.
@@ -385,9 +387,7 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
         gap, number = least_gap(flow, memory[1], world, stage[0], memory[5])
         how, part = GOES_ON, 1.0
         if margin < 0.0 or gap < 0.0:
-            part, how = _first_event(
-                flow, world, held, stage, a0, a1, t, dt, h, gravity, memory, margin, gap
-            )
+            part, how = _first_event(flow, world, held, stage, a0, a1, t, dt, h, gravity, memory, margin, gap)
             if part * h < SHORTEST_FLOW:
                 stage[0] = now[0]
                 return 0.0, how
