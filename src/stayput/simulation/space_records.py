@@ -10,7 +10,19 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from stayput.mechanics.devices.columns import DEVICE
-from stayput.mechanics.space.columns import CONTACT, FACE, FLOW, PAIR, PLANE, POINT, POSE, PRESSING, PULL, RIM, SOLID
+from stayput.mechanics.space.columns import (
+    CONTACT,
+    FACE,
+    FLOW,
+    PAIR,
+    PLANE,
+    POINT,
+    POSE,
+    PRESSING,
+    PULL,
+    RIM,
+    SOLID,
+)
 from stayput.mechanics.space.constants import MOST_PRESSING, MOST_ROWS
 from stayput.mechanics.space.pairs import MOST_TOUCHING
 from stayput.mechanics.space.touching import RIM_POINTS

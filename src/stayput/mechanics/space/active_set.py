@@ -1,18 +1,18 @@
 """Accelerations of a lone body on contacts that are known to press, and to stick or to slip.
 
-With velocities ν scaled so that the mass matrix is 1, rows G of what contacts forbid, columns F of their forces λ
-and the velocities ν₀' without them
+With velocities ν scaled so that the mass matrix is 1, rows G of what contacts forbid, columns F of their
+forces λ and the velocities ν₀' without them
 
     ν' = ν₀' + Σ F λ,        G ν' + b = 0,
 
-where b is what the contact's point is accelerated by the rotation. Of a contact that sticks the rows are those
-along its normal and tangents, and F = Gᵀ; of one that slips the row is that along the normal, and F has
-friction against the slip too. Where there are more contacts than the body needs G F is singular; a small part of
-its diagonal is added, so that they share alike, and the solution refined, so that this is not felt.
+where b is what the contact's point is accelerated by the rotation. Of a contact that sticks the rows are
+those along its normal and tangents, and F = Gᵀ; of one that slips the row is that along the normal, and F has
+friction against the slip too. Where there are more contacts than the body needs G F is singular; a small part
+of its diagonal is added, so that they share alike, and the solution refined, so that this is not felt.
 
-On the floor friction acts about the centre of pressure (`stayput.mechanics.space.solve.spread_friction`), which
-follows from the forces. Rounds "forces, centre of pressure, forces" may diverge where an edge turns about
-itself; with the secant of the last two (Aitken's relaxation) they do not.
+On the floor friction acts about the centre of pressure (`stayput.mechanics.space.solve.spread_friction`),
+which follows from the forces. Rounds "forces, centre of pressure, forces" may diverge where an edge turns
+about itself; with the secant of the last two (Aitken's relaxation) they do not.
 """
 
 from __future__ import annotations
@@ -38,8 +38,8 @@ from stayput.mechanics.space.touching import gap_of, lever_of_point
 from stayput.mechanics.space.vectors import added, cross, dot, normal_of, scaled, tangents
 
 FREE, TOTAL, FORCES, REST, BENDS, RATES = range(6)
-"""Vectors: the change of the scaled velocities without contacts, and with them; forces, what they miss, and what
-contacts are accelerated by the rotation; changes of velocity and angular momentum.
+"""Vectors: the change of the scaled velocities without contacts, and with them; forces, what they miss, and
+what contacts are accelerated by the rotation; changes of velocity and angular momentum.
 """
 
 
@@ -236,8 +236,8 @@ def accelerate(flow, pressing, body, points, planes, s, push, system):
     push : tuple
         The acceleration that acts on the body; force and moment of its devices stand in ``flow``.
     system : tuple
-        Rows and columns float64[n, 6], matrix float64[n, n], vectors float64[6, n] and pivots int64[n]. The last
-        of the vectors has the changes.
+        Rows and columns float64[n, 6], matrix float64[n, n], vectors float64[6, n] and pivots int64[n]. The
+        last of the vectors has the changes.
     """
     vectors = system[3]
     free, total, rates = vectors[FREE], vectors[TOTAL], vectors[RATES]
@@ -276,9 +276,9 @@ def accelerate(flow, pressing, body, points, planes, s, push, system):
 
 @inner
 def margin_of(flow, pressing, weight):
-    """Return the least of what forces have left until a contact lifts or slips, over the weight, and of slips.
+    """Return the least margin of the contacts: what is left until one lifts, gives way or is about to stand.
 
-    Those are over the speed at which a flow begins.
+    Forces are over the weight, slips over the speed at which a flow begins.
     """
     left = math.inf
     for c in pressing[: flow.count]:
@@ -355,5 +355,5 @@ def project(flow, pressing, body, points, planes, s, system):
 
 @inline
 def kappa_of(body, on_floor):
-    """Return κ of a body on so many contacts on the floor (`stayput.mechanics.space.solve.spread_friction`)."""
+    """Return κ of a body on so many contacts on the floor, as `spread_friction` of the general law has it."""
     return min(body.kappa, LINE) if on_floor == 2 and body.kappa < 1.0 else body.kappa

@@ -132,41 +132,26 @@ PRESSING = record(
     *floats("rx", "ry", "rz", "fx", "fy", "fz"),
     *floats("pn", "ps", "pt", "us", "ut", "ds", "dt"),
 )
-"""A contact that presses in a flow: its key, point and plane, whether that is the floor, whether it
-sticks, and its first row; its friction, κ, and where it was in the room as the flow began; the levers about G of it and of its
-friction; its forces along the normal and the tangents [N], how fast it slips along these, and how it
-slipped as the step began.
+"""A contact that presses in a flow: its key, point and plane, whether that is the floor, whether it sticks,
+and its first row; its friction, κ, and where it was in the room as the flow began; the levers about G of it
+and of its friction; its forces along the normal and the tangents [N], how fast it slips along these, and how
+it slipped as the step began.
 """
 
 FLOW = record(
     *integers("ready", "moved", "begins", "count", "all_stick", "on_edge", "refused", "pause"),
-    *floats(
-        "step",
-        "margin",
-        "gap",
-        "cx",
-        "cy",
-        "relaxation",
-        "fx",
-        "fy",
-        "fz",
-        "mx",
-        "my",
-        "mz",
-        "px",
-        "py",
-        "pz",
-    ),
+    *floats("step", "margin", "gap", "cx", "cy", "relaxation"),
+    *floats("fx", "fy", "fz", "mx", "my", "mz", "px", "py", "pz"),
     *floats("qw", "qx", "qy", "qz", "angle", "rate", "change", "angle0", "rate0", "change0"),
     *floats("ex", "ey", "ez", "ox", "oy", "oz", "gx", "gy", "gz", "bx", "by", "bz", "ax", "ay", "az"),
     *floats("ix", "iy", "iz", "inertia", "half"),
 )
-"""A flow: whether the body is on one, has moved by one last, and is at its beginning; how many contacts press, whether all stick, and
-whether they are an edge, whether the last one
-ended before it began, and how many general steps are to be taken before the next; the length of its next step [s]; the least margin of its forces and slips, and the
-least gap of what else may touch; the centre of pressure on the floor from G, and the
-factor on its change in a round; force and moment of the devices
-about G; what the room presses on the body.
+"""A flow: whether the body is on one, has moved by one last, and is at its beginning; how many contacts
+press, whether all stick, and whether they are an edge; whether the last flow ended before it began, and how
+many general steps are to be taken before the next; the length of its next step [s]; the least margin of its
+forces and slips, and the least gap of what else may touch; the centre of pressure on the floor from G, and
+the factor on its change in a round; force and moment of the devices about G; what the room presses on the
+body.
 
 On an edge that sticks: the attitude as the flow began; the angle turned since, its rate and acceleration, now
 and as the step began; the edge's direction e and middle o, from there G at first as a part g along the edge

@@ -1,8 +1,8 @@
 """Constants of the flow, the motion of a lone body between events (`stayput.mechanics.space.flow`)."""
 
 MOST_PRESSING = 24
-"""Most contacts that press in a flow: corners of a base with many, or of a box on the floor and walls. With more the
-general law goes on.
+"""Most contacts that press in a flow: corners of a base with many, or of a box on the floor and walls. With
+more the general law goes on.
 """
 
 PRESSING_SHARE = 1e-6
@@ -23,7 +23,7 @@ PRESSURE_ROUNDS = 12
 """Most rounds of forces and centre of pressure; two or three are usual."""
 
 LEAST_RELAXATION, MOST_RELAXATION = 0.02, 4.0
-"""Bounds of the factor on its change in each: where that makes another change as large, against it or with it."""
+"""Bounds of the factor on its change in each: a change may call for another against it, or along with it."""
 
 PRESSURE_TOLERANCE = 1e-6
 """How far the centre of pressure may move in the last of them [m]: forces are exact to 1e-5 then."""
@@ -35,19 +35,19 @@ a flow that begins does not end at once.
 """
 
 PINNED_SPEED = 1e-4
-"""Speed up to which a body on three or more contacts is taken to come to rest [m/s]: the general law tells."""
+"""Speed up to which a body on three contacts or more may come to rest [m/s], as the general law tells."""
 
 FLOW_TOLERANCE = 0.1
-"""Error of a step over its length, and over that of the longest plain one, up to which it is accepted [m/s²]: 1 µm
-in a sample of 10 ms. Ten times more saves a tenth of the time of pieces that slide and moves one fall in fifty.
+"""Error of a step over its length, and over that of the longest plain one, up to which it is accepted [m/s²]:
+1 µm in a sample of 10 ms. Ten times more saves hardly any time, and more falls are other ones.
 """
 
 VELOCITY_ERROR_TIME = 0.01
 """Time for which an error of velocities is taken to last, beside one of places [s]."""
 
 LONGEST_FLOW_STEP, SHORTEST_FLOW_STEP = 0.05, 0.1
-"""Longest step [s], and the shortest, over the longest plain one. What needs shorter ones, such as a strong damper, is stiff and left to the
-general law.
+"""Longest step [s], and the shortest, over the longest plain one. What needs shorter ones, such as a strong
+damper, is stiff and left to the general law.
 """
 
 STIFF_PAUSE = 16
@@ -81,13 +81,13 @@ SETTLED_GAP = 1e-9
 """Gap of a point of a body at rest up to which it is on the floor [m]: rounding, and what steps leave."""
 
 SETTLE_GAP, SETTLE_SPEED = 1e-6, 3e-3
-"""Gap and speed up to which corners beside one that lands slowly are stopped with it [m, m/s]: they would rock and
-rebound without end, less each time.
+"""Gap and speed up to which corners beside one that lands slowly are stopped with it [m, m/s]: they would
+rock and rebound without end, less each time.
 """
 
 STEP_AFTER_EVENT = 0.02
-"""Length of the general step after an event, which tells how it goes on, over the longest plain one: so short that
-its error does not count.
+"""Length of the general step after an event, which tells how it goes on, over the longest plain one: so short
+that its error does not count.
 """
 
 IMPULSE_TIME = 1e-3

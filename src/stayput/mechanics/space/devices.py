@@ -137,7 +137,7 @@ def damps(spring, pull):
 
 @inline
 def _forces(spring, pull, rate):
-    """Return the force along the normal, and that along the plane, a vector, at a rate; note how large they are."""
+    """Return the force along the normal, and that along the plane, a vector, at a rate; note their sizes."""
     n = normal_of(pull)
     along = dot(n, rate)
     F = _along_normal(spring, pull, along)

@@ -20,6 +20,7 @@ from typing import Any
 from stayput.compiling import entry, inline, inner
 from stayput.mechanics.space.body import attitude, set_attitude, stop
 from stayput.mechanics.space.closing import TOGETHER, keep, meeting, note_all_gaps
+from stayput.mechanics.space.constants import FLOW_WORK, IMPULSE_TIME, STEP_AFTER_EVENT, STIFF_PAUSE
 from stayput.mechanics.space.devices import give, note_forces, note_loads
 from stayput.mechanics.space.events import (
     all_stick,
@@ -33,7 +34,6 @@ from stayput.mechanics.space.events import (
     note_weight,
     switch_now,
 )
-from stayput.mechanics.space.constants import FLOW_WORK, IMPULSE_TIME, STEP_AFTER_EVENT, STIFF_PAUSE
 from stayput.mechanics.space.flow import begin_flow, keep_flow, note_flow, settle, stands_off
 from stayput.mechanics.space.flow_step import GOES_ON, HITS, LANDS, STIFF, advance_flow
 from stayput.mechanics.space.penetration import move_out
@@ -311,6 +311,7 @@ def _flow(world, held, poses, acceleration, k, t, numbers, last, scratch, output
     flow, kept, gaps = memory[0][0], scratch[1][0], scratch[2][0]
     devices_before = scratch[9], scratch[10]
     h, how = advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before, memory, output[5])
+    output[5][2] += FLOW_WORK
     if h > 0.0:
         now[0] = poses[1, 0]
         note_peaks(world[0], now, output[4])

@@ -1,11 +1,11 @@
 """The flow of a lone body: its smooth motion between events, while the same contacts press, stick and slip.
 
 The contact problem of a step then has one solution that is smooth in time, and the motion is an ordinary
-differential equation: on an edge that sticks of one degree of freedom (`stayput.mechanics.space.stuck_edge`), on
-other contacts of six with their accelerations forbidden (`stayput.mechanics.space.active_set`), in flight without
-any. It is integrated from sample to sample (`stayput.mechanics.space.flow_step`) until a contact lifts, friction
-gives way, what slips is about to stand, a device fails, or a point meets a plane. There one step of the general
-law with all contacts (`stayput.mechanics.space.stepping`) tells how it goes on.
+differential equation: on an edge that sticks of one degree of freedom (`stayput.mechanics.space.stuck_edge`),
+on other contacts of six with their accelerations forbidden (`stayput.mechanics.space.active_set`), in flight
+without any. It is integrated from sample to sample (`stayput.mechanics.space.flow_step`) until a contact
+lifts, friction gives way, what slips is about to stand, a device fails, or a point meets a plane. There one
+step of the general law with all contacts (`stayput.mechanics.space.stepping`) tells how it goes on.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ from stayput.mechanics.space.constants import (
     LONGEST_FLOW_STEP,
     PINNED_SPEED,
     PRESSING_SHARE,
-    SETTLED_GAP,
     SETTLE_GAP,
     SETTLE_SPEED,
+    SETTLED_GAP,
     SLIP_BEGIN_SPEED,
 )
 from stayput.mechanics.space.contact import slip, velocity_at
@@ -40,6 +40,8 @@ def _fill_in(c, contact, points, features, s, body, on_floor, h):
     c.key, c.plane, c.floor, c.sticks = contact.key, contact.plane, contact.floor, contact.stuck
     c.point = contact.key - contact.plane * features
     c.mu_static, c.mu_kinetic = contact.mu_static, contact.mu_kinetic
+    if contact.floor and on_floor <= 2 and not points[c.point].mu_static >= 0.0:  # NaN: none of its own
+        c.mu_static, c.mu_kinetic = body.edge_static, body.edge_kinetic
     c.kappa = kappa_of(body, on_floor) if contact.floor else 1.0
     c.pn, c.ps, c.pt = contact.pn / h, contact.ps / h, contact.pt / h
     c.ax, c.ay, c.az = added(place_of(s), 1.0, lever_of_point(s, points[c.point]))
@@ -63,7 +65,7 @@ def begin_flow(world, poses, contacts, count, h, gravity, memory):
             u, v = slip(c, poses)
             if number > pressing.shape[0] or (not c.stuck and math.hypot(u, v) < SLIP_BEGIN_SPEED):
                 return False
-    if number > 2 and fastest(world[0], poses) <= PINNED_SPEED:
+    if number == 0 or (number > 2 and fastest(world[0], poses) <= PINNED_SPEED):
         return False
     number = 0
     for c in contacts[:count]:

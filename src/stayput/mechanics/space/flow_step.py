@@ -1,8 +1,8 @@
 """A step of a flow, and where in it the flow ends.
 
 Steps are those of Dormand and Prince's method 5(4), mostly a sample of the floor's motion long. At the end of
-each the margins of all forces and slips, and the gaps of all points that do not press, tell whether an event is
-within; the dense output of the step tells when.
+each the margins of all forces and slips, and the gaps of all points that do not press, tell whether an event
+is within; the dense output of the step tells when.
 """
 
 from __future__ import annotations
@@ -54,8 +54,8 @@ from stayput.mechanics.space.touching import gap_of_point, lever_of_point, may_t
 from stayput.mechanics.space.vectors import dot, normal_of, quaternion_rate
 
 GOES_ON, CHANGES, LANDS, HITS, STIFF = range(5)
-"""How a step ends: with no event; forces, slips or a device change; a point meets a plane slowly, or hits it; it
-would have to be too short.
+"""How a step ends: with no event; forces, slips or a device change; a point meets a plane slowly, or hits it;
+it would have to be too short.
 """
 
 OF_GAP, OF_MARGIN = range(2)
@@ -384,7 +384,7 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
             h *= max(LEAST_GROWTH, min(STEP_SAFETY, growth))
             continue
         margin = _end_of_step(flow, world, held, stage, a0, a1, t, dt, h, gravity, memory)
-        gap, number = least_gap(flow, memory[1], world, stage[0], memory[5])
+        gap, _ = least_gap(flow, memory[1], world, stage[0], memory[5])
         how, part = GOES_ON, 1.0
         if margin < 0.0 or gap < 0.0:
             part, how = _first_event(flow, world, held, stage, a0, a1, t, dt, h, gravity, memory, margin, gap)

@@ -191,8 +191,8 @@ def end_of(contacts, first, count):
 def _spread_anew(contacts, count, bodies, poses):
     """Let friction act about the middle of the forces that were found, where anything slips.
 
-    What sticks moves alike wherever it rubs, as long as all bears: where a contact of a lone body bears nothing
-    the others may stick where they are alone. In groups that is left out: pulled joints then let go.
+    What sticks moves alike wherever it rubs, as long as all bears: where a contact of a lone body bears
+    nothing the others may stick where they are alone. In groups that is left out: pulled joints then let go.
 
     Returns
     -------

@@ -234,8 +234,8 @@ def refine(world, held, poses, acceleration, k, dt, t, h, gravity, scratch, rati
     tuple
         The difference of the step and its halves [m]; `CHANGED` where contacts do or a device is lost, `RUBS`
         where some begin or end to slip, which then is in row 1 of those kept. Where devices hold a body and
-        the difference is far below the one that is ``allowed``, the halves are taken in these cases too. At last the
-        number of contacts in the second.
+        the difference is far below the one that is ``allowed``, the halves are taken in these cases too. At
+        last the number of contacts in the second.
     """
     contacts, kept, work = scratch[0], scratch[1], output[5]
     springs, pulls, devices = held

@@ -1,13 +1,14 @@
 """A lone body that turns about an edge whose two corners stick: one degree of freedom, in closed form.
 
-With the edge's direction e, from its middle G at g + b c + a d with c and d cosine and sine of the angle φ that it
-has turned since the flow began (g along e, b across it, a = e × b), and the push p of gravity and shaking,
+With the edge's direction e, from its middle G at g + b c + a d with c and d cosine and sine of the angle φ
+that it has turned since the flow began (g along e, b across it, a = e × b), and the push p of gravity and
+shaking,
 
     I φ'' = m (c a·p − d b·p) + e·M,
 
 M the moment of the devices about the edge. What the floor presses follows from the accelerations: the normal
-forces of both corners from the moment across the edge, friction across it from that about the vertical. Friction
-along it may be shared as the corners can bear it.
+forces of both corners from the moment across the edge, friction across it from that about the vertical.
+Friction along it may be shared as the corners can bear it.
 """
 
 from __future__ import annotations
@@ -152,7 +153,7 @@ def press_on_edge(flow, pressing, body, s, angle, rate, change, push, weight):
 
 @inner
 def step_on_edge(flow, world, held, stage, a0, a1, t, dt, h, gravity):
-    """Take a step of Dormand and Prince's method; set angle, rate and change, and return the error [m]."""
+    """Take a step of Dormand and Prince's method; return the errors of the angle and of its rate."""
     w, k1 = flow.rate0, flow.change0
     at = flow.angle0
     p = push_at(a0, a1, (t + 0.2 * h) / dt, gravity)
