@@ -430,20 +430,26 @@ def _end_of_step(flow, world, held, stage, a0, a1, t, dt, h, gravity, memory):
 @inner
 def _first_event(flow, world, held, stage, a0, a1, t, dt, h, gravity, memory, margin, gap):
     """Pose ``stage`` at the first event of a step; return at which part of it, and how it ends."""
-    part, how = 1.0, CHANGES
+    pressing, depths, part, how = memory[1], memory[5], 1.0, CHANGES
     if not flow.on_edge:
         _set_dense(memory)
-    if gap < 0.0:
+    for _ in range(2):
+        # beyond a margin, as where what slips has stood, gaps are not those of the body: it comes first
+        if margin < 0.0:
+            part = _find_event(
+                flow, world, held, stage, a0, a1, t, dt, h, gravity, memory, OF_MARGIN, part, flow.margin, margin
+            )
+            _go_to(flow, world, held, stage, a0, a1, t, dt, h, part, gravity, memory, True)
+            how = CHANGES
+            gap, _ = least_gap(flow, pressing, world, stage[0], depths)
+        if gap >= 0.0:
+            break
         part = _find_event(
             flow, world, held, stage, a0, a1, t, dt, h, gravity, memory, OF_GAP, part, flow.gap, gap
         )
         margin = _go_to(flow, world, held, stage, a0, a1, t, dt, h, part, gravity, memory, True)
-        _, number = least_gap(flow, memory[1], world, stage[0], memory[5])
+        gap, number = least_gap(flow, pressing, world, stage[0], depths)
         how = _how_it_meets(world, stage[0], number)
-    if margin < 0.0:
-        part = _find_event(
-            flow, world, held, stage, a0, a1, t, dt, h, gravity, memory, OF_MARGIN, part, flow.margin, margin
-        )
-        _go_to(flow, world, held, stage, a0, a1, t, dt, h, part, gravity, memory, True)
-        how = CHANGES
+        if margin >= 0.0:
+            break
     return part, how
