@@ -96,8 +96,10 @@ IMPULSE_TIME = 1e-3
 DEVICE_LOSS_STEP = 0.25
 """Longest step in which a device is lost, over the longest plain one."""
 
-DEVICE_YIELD_STEP = 2.0
-"""The same in which a device yields or rubs: what is plastic is counted at its end."""
+DEVICE_STEP = 2.0
+"""The same in which a device begins or ends to bear, yields or rubs: what is plastic is counted at its end, and of a
+force that jumps the error of a step sees a hundredth.
+"""
 
 FLOW_WORK = 25.0
 """Work of a step on the budget of a run, in updates of a contact."""

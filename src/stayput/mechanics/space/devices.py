@@ -230,11 +230,17 @@ def hold(springs, pulls, bodies, poses, h):
 
 
 @inner
-def yields(springs, pulls):
-    """Return whether the force of any device that holds is at its strength or at what its friction bears."""
+def changes_branch(springs, before, pulls):
+    """Return whether any device has begun or ended to pull, push or rub in a step, or yields or rubs at its end."""
     for k in range(springs.shape[0]):
-        spring, pull = springs[k], pulls[k]
-        if pull.lost or spring.interaction:
+        spring, pull, last = springs[k], pulls[k], before[k]
+        if pull.lost:
+            continue
+        if (last.force > 0.0) != (pull.force > 0.0) or (last.force < 0.0) != (pull.force < 0.0):
+            return True
+        if (last.shear > 0.0) != (pull.shear > 0.0):
+            return True
+        if spring.interaction:
             continue
         if pull.force >= spring.limit_plus[col.NORMAL] or -pull.force >= spring.limit_minus[col.NORMAL]:
             return True

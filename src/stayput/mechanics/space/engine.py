@@ -189,8 +189,10 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
             h = longest if plain else dt
             continue
         if plain or slow:
+            keep(contacts, count, kept[1], scratch[7][3])
+            if lone:
+                stands = min(stands, first_event(kept) * h)
             if shortest < stands < STOOD * h:
-                keep(contacts, count, kept[1], scratch[7][3])
                 switch, h = stands / h + AT_ONCE, stands
                 continue
             pace[LENGTH] = (

@@ -23,7 +23,7 @@ from stayput.mechanics.space.active_set import (
 from stayput.mechanics.space.body import attitude, in_body, rotation, set_attitude
 from stayput.mechanics.space.constants import (
     DEVICE_LOSS_STEP,
-    DEVICE_YIELD_STEP,
+    DEVICE_STEP,
     EVENT_TIME_TOLERANCE,
     FLOW_TOLERANCE,
     GAP_TOLERANCE,
@@ -39,7 +39,7 @@ from stayput.mechanics.space.constants import (
     VELOCITY_ERROR_TIME,
 )
 from stayput.mechanics.space.contact import velocity_at
-from stayput.mechanics.space.devices import give, loads_of, yields
+from stayput.mechanics.space.devices import changes_branch, give, loads_of
 from stayput.mechanics.space.solve import IMPACT
 from stayput.mechanics.space.stepping import push_at
 from stayput.mechanics.space.stuck_edge import (
@@ -366,11 +366,11 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
     if flow.begins:
         now[0] = stage[0]
     flow.begins = 0
+    for d in range(springs.shape[0]):
+        devices_before[0][d], devices_before[1][d] = pulls[d], devices[d]
     for _ in range(MOST_STEP_TRIES):
         if h < SHORTEST_FLOW_STEP * longest and h < dt - t:
             break
-        for d in range(springs.shape[0]):
-            devices_before[0][d], devices_before[1][d] = pulls[d], devices[d]
         work[0] += 1.0
         if flow.on_edge:
             off, rate_off = step_on_edge(flow, world, held, stage, a0, a1, t, dt, h, gravity)
@@ -391,9 +391,9 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
             if part * h < SHORTEST_FLOW:
                 stage[0] = now[0]
                 return 0.0, how
-        plastic = yields(springs, pulls)
-        if plastic and part * h > DEVICE_YIELD_STEP * longest:
-            h = DEVICE_YIELD_STEP * longest
+        switches = changes_branch(springs, devices_before[0], pulls)
+        if switches and part * h > DEVICE_STEP * longest:
+            h = max(0.25 * part * h, DEVICE_STEP * longest)
             continue
         if springs.shape[0] > 0 and give(springs, pulls, devices, stage, dt * k + t + part * h):
             if part * h > DEVICE_LOSS_STEP * longest:
@@ -404,7 +404,7 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
             how = CHANGES
         if part == 1.0:
             flow.margin, flow.gap = margin, gap
-            most = DEVICE_YIELD_STEP * longest if plastic else LONGEST_FLOW_STEP
+            most = DEVICE_STEP * longest if switches else LONGEST_FLOW_STEP
             flow.step = min(most, h * max(LEAST_GROWTH, min(MOST_GROWTH, growth)))
         if not flow.on_edge:
             project(flow, memory[1], body, world[1], world[3], stage[0], memory[2])
