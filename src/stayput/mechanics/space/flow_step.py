@@ -437,7 +437,21 @@ def _first_event(flow, world, held, stage, a0, a1, t, dt, h, gravity, memory, ma
         # beyond a margin, as where what slips has stood, gaps are not those of the body: it comes first
         if margin < 0.0:
             part = _find_event(
-                flow, world, held, stage, a0, a1, t, dt, h, gravity, memory, OF_MARGIN, part, flow.margin, margin
+                flow,
+                world,
+                held,
+                stage,
+                a0,
+                a1,
+                t,
+                dt,
+                h,
+                gravity,
+                memory,
+                OF_MARGIN,
+                part,
+                flow.margin,
+                margin,
             )
             _go_to(flow, world, held, stage, a0, a1, t, dt, h, part, gravity, memory, True)
             how = CHANGES
