@@ -1,7 +1,7 @@
 """The law stands twice: with all contacts for a step, and for a flow with contacts that are known to press.
 
-At random states on a corner, an edge or a base the impulses of a short step over its length are the forces of the
-flow.
+At random states on a corner, an edge or a base the impulses of a short step over its length are the forces of
+the flow.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ GRAVITY = 9.80665
 
 @entry
 def forces_of(world: Any, held: Any, poses: Any, scratch: Any, push: Any, work: Any, forces: Any) -> None:
-    """Set the forces of all points, (kinds, points, 3): of a step, and of a flow; row 2 tells whether one is."""
+    """Set the forces of all points, of a step in row 0, of a flow in row 1; row 2 tells whether it flows."""
     contacts, kept, memory = scratch[0], scratch[1][0], scratch[12]
     flow, pressing, body = memory[0][0], memory[1], world[0][0]
     weight = body.mass * GRAVITY

@@ -97,8 +97,8 @@ DEVICE_LOSS_STEP = 0.25
 """Longest step in which a device is lost, over the longest plain one."""
 
 DEVICE_STEP = 2.0
-"""The same in which a device begins or ends to bear, yields or rubs: what is plastic is counted at its end, and of a
-force that jumps the error of a step sees a hundredth.
+"""The same in which a device begins or ends to bear, yields or rubs: what is plastic is counted at its end,
+and of a force that jumps the error of a step sees a hundredth.
 """
 
 FLOW_WORK = 25.0

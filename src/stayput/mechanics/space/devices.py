@@ -231,7 +231,7 @@ def hold(springs, pulls, bodies, poses, h):
 
 @inner
 def changes_branch(springs, before, pulls):
-    """Return whether any device has begun or ended to pull, push or rub in a step, or yields or rubs at its end."""
+    """Return whether any device begins or ends to bear in a step, or yields or rubs at its end."""
     for k in range(springs.shape[0]):
         spring, pull, last = springs[k], pulls[k], before[k]
         if pull.lost:

@@ -1,13 +1,14 @@
-"""The engine in space: refined steps between samples of the floor's motion, shortened where bodies meet.
+"""The engine in space: flows and steps between samples of the floor's motion, shortened where bodies meet.
 
-Between events steps are refined (`stayput.mechanics.space.stepping`): of fourth order, as long as their error
-allows, up to a longest one. Where contacts begin or end to bear within one it is halved, down to a quarter of
-the longest plain one, and then taken as it is; where they begin or end to slip, down to `LOCATED`, and it
-then ends when they do: what is left of it begins with their new friction. What stands on the floor alone at
-rest is let go when its friction or its stance gives way. A step in which a body would enter or hit another is
-shortened to where they meet, and the impact has a step of its own, the shortest: in a longer one it would be
-solved with velocities that lack what half of that step brings. What a body has entered (`ENTERS`) is moved
-out without a change of velocity.
+Between events a lone body without rims flows (`stayput.mechanics.space.flow`); where it does not, it takes
+plain steps. Those of groups and round bodies are refined (`stayput.mechanics.space.stepping`): of fourth
+order, as long as their error allows, up to a longest one. Where contacts begin or end to bear within one it
+is halved, down to a quarter of the longest plain one, and then taken as it is; where they begin or end to
+slip, down to `LOCATED`, and it then ends when they do: what is left of it begins with their new friction.
+What stands on the floor alone at rest is let go when its friction or its stance gives way. A step in which a
+body would enter or hit another is shortened to where they meet, and the impact has a step of its own, the
+shortest: in a longer one it would be solved with velocities that lack what half of that step brings. What a
+body has entered (`ENTERS`) is moved out without a change of velocity.
 
 Axes move with the floor: its acceleration acts on bodies against its direction.
 """
