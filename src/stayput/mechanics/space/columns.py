@@ -139,16 +139,17 @@ it slipped as the step began.
 """
 
 FLOW = record(
-    *integers("ready", "moved", "begins", "count", "all_stick", "on_edge", "refused", "pause"),
-    *floats("step", "margin", "gap", "cx", "cy", "relaxation"),
+    *integers("ready", "moved", "begins", "count", "all_stick", "on_edge", "kinked", "refused", "pause"),
+    *floats("step", "step_off_edge", "margin", "gap", "cx", "cy", "relaxation"),
     *floats("fx", "fy", "fz", "mx", "my", "mz", "px", "py", "pz"),
     *floats("qw", "qx", "qy", "qz", "angle", "rate", "change", "angle0", "rate0", "change0"),
     *floats("ex", "ey", "ez", "ox", "oy", "oz", "gx", "gy", "gz", "bx", "by", "bz", "ax", "ay", "az"),
     *floats("ix", "iy", "iz", "inertia", "half"),
 )
 """A flow: whether the body is on one, has moved by one last, and is at its beginning; how many contacts
-press, whether all stick, and whether they are an edge; whether the last flow ended before it began, and how
-many general steps are to be taken before the next; the length of its next step [s]; the least margin of its
+press, whether all stick, and whether they are an edge; whether a device may have changed at the end of the
+last step; whether the last flow ended before it began, and how many general steps are to be taken before the
+next; the length of its next step [s], and of that of the last flow off an edge; the least margin of its
 forces and slips, and the least gap of what else may touch; the centre of pressure on the floor from G, and
 the factor on its change in a round; force and moment of the devices about G; what the room presses on the
 body.

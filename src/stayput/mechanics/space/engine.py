@@ -392,14 +392,16 @@ def run_in_space(
         Time between samples [s], longest plain step [s], gravity [m/s²], how long all bodies lie before the
         run ends [s], and the longest refined step [s].
     scratch : tuple
-        Working memory: CONTACT[c], what `keep` notes of contacts float64[3, keys, 10],
-        gaps float64[2, features],
-        places of the points float64[p, 3], polygons float64[2, corners, 4], points that touch float64[8, 5];
-        what bodies stand on: sides float64[p, 3], their numbers int64[n], circles float64[n, 3], least
-        friction float64[n], forces and moments of devices float64[n, 6], middles and distances float64[n, 4];
-        Newton's method: Jacobians, and D times these, float64[c + d, 2, 6, 6], matrix float64[n, n, 6, 6],
-        vector float64[n, 6], first bodies of rows int64[n], velocities gained float64[n, 6]; the axes that
-        separated pairs last int64[m, 2], −1 at first; PULL[d] and DEVICE[d] before a step; float64[5].
+        Working memory: CONTACT[c], what `keep` notes of contacts float64[3, keys, 10], gaps float64[2,
+        features], places of the points float64[p, 3], polygons float64[2, corners, 4], points that touch
+        float64[8, 5]; what bodies stand on: sides float64[p, 3], their numbers int64[n], circles float64[n,
+        3], least friction float64[n], forces and moments of devices float64[n, 6], middles and distances
+        float64[n, 4]; Newton's method: Jacobians, and D times these, float64[c + d, 2, 6, 6], matrix
+        float64[n, n, 6, 6], vector float64[n, 6], first bodies of rows int64[n], velocities gained float64[n,
+        6]; the axes that separated pairs last int64[m, 2], −1 at first; PULL[d] and DEVICE[d] before a step;
+        float64[5]; of flows FLOW[1], PRESSING[c], its system
+        (`stayput.mechanics.space.active_set.accelerate`), rates of the stages float64[7, 13], vectors of the
+        state float64[6, 13], and how deep points may go float64[features].
     output : tuple
         Histories at the samples float64[n, samples, 19]; forces of the devices there float64[samples, d, 2],
         along the normal, + where it pulls, and the plane; HIT[h], the first hits; numbers of hits by body and

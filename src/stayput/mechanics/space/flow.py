@@ -74,7 +74,8 @@ def begin_flow(world, poses, contacts, count, h, gravity, memory):
             number += 1
     flow.count, flow.all_stick = number, 1 if sticking == number else 0
     flow.on_edge = 1 if number == on_floor == sticking == 2 else 0
-    flow.begins, flow.ready, flow.step = 1, 1, LONGEST_FLOW_STEP
+    flow.begins = flow.ready = 1
+    flow.step = LONGEST_FLOW_STEP if flow.on_edge or flow.step_off_edge == 0.0 else flow.step_off_edge
     flow.relaxation = 1.0
     flow.fx = flow.fy = flow.fz = flow.mx = flow.my = flow.mz = 0.0
     return True

@@ -316,7 +316,7 @@ def _begin_step(flow, world, held, stage, push, gravity, memory):
     if flow.on_edge:
         if begins:
             begin_on_edge(flow, pressing, body, world[1], s)
-        if begins or held[0].shape[0] > 0:
+        if begins or flow.kinked:
             flow.change = turn_on_edge(flow, world, held, stage, flow.angle, flow.rate, push)
         if begins:
             weight = _weight(body, gravity)
@@ -331,7 +331,7 @@ def _begin_step(flow, world, held, stage, push, gravity, memory):
             set_levers(flow, pressing, world[1], s)
             set_friction_levers(flow, pressing, world[3], s)
         note_slips(flow, pressing)
-        if begins or held[0].shape[0] > 0:
+        if begins or flow.kinked:
             evaluate(flow, world, held, stage, push, memory, stages[0])
             flow.margin = margin_of(flow, pressing, _weight(body, gravity))
         else:  # as the last step ended
@@ -406,6 +406,9 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
             flow.margin, flow.gap = margin, gap
             most = DEVICE_STEP * longest if switches else LONGEST_FLOW_STEP
             flow.step = min(most, h * max(LEAST_GROWTH, min(MOST_GROWTH, growth)))
+            flow.kinked = 1 if switches else 0
+            if not flow.on_edge:
+                flow.step_off_edge = flow.step
         if not flow.on_edge:
             project(flow, memory[1], body, world[1], world[3], stage[0], memory[2])
             note_pressing_force(flow, memory[1], world[3])

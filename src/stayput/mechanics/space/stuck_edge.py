@@ -120,7 +120,7 @@ def turn_on_edge(flow, world, held, stage, angle, rate, push):
 @inner
 def press_on_edge(flow, pressing, body, s, angle, rate, change, push, weight):
     """Set what presses on the edge, and return the least margin, over the weight."""
-    e, half, one, two = _edge(flow), flow.half, pressing[0], pressing[1]
+    e, half, c1, c2 = _edge(flow), flow.half, pressing[0], pressing[1]
     sine, cosine = _sine_and_cosine(angle)
     across = added(scaled(cosine, _across(flow)), sine, _ahead(flow))
     g = added(across, 1.0, (flow.gx, flow.gy, flow.gz))
@@ -132,18 +132,18 @@ def press_on_edge(flow, pressing, body, s, angle, rate, change, push, weight):
     b = -e[1], e[0], 0.0
     more = -dot(moment, b) / half
     n1, n2 = 0.5 * (force[2] + more), 0.5 * (force[2] - more)
-    one.pn, two.pn = n1, n2
+    c1.pn, c2.pn = n1, n2
     flow.px, flow.py, flow.pz = force
     if n1 <= 0.0 or n2 <= 0.0:
         return min(n1, n2) / weight
     aside, along, share = dot(force, b), dot(force, e), n1 / (n1 + n2)
     middle = half * (2.0 * share - 1.0)
-    f1 = (moment[2] + (half - (1.0 - one.kappa) * (half + middle)) * aside) / (2.0 * one.kappa * half)
+    f1 = (moment[2] + (half - (1.0 - c1.kappa) * (half + middle)) * aside) / (2.0 * c1.kappa * half)
     f2 = aside - f1
     # friction along the normal axes of a plane that is level
-    one.ps, one.pt = f1 * b[0] + share * along * e[0], f1 * b[1] + share * along * e[1]
-    two.ps, two.pt = f2 * b[0] + (1.0 - share) * along * e[0], f2 * b[1] + (1.0 - share) * along * e[1]
-    most1, most2 = one.mu_static * n1, two.mu_static * n2
+    c1.ps, c1.pt = f1 * b[0] + share * along * e[0], f1 * b[1] + share * along * e[1]
+    c2.ps, c2.pt = f2 * b[0] + (1.0 - share) * along * e[0], f2 * b[1] + (1.0 - share) * along * e[1]
+    most1, most2 = c1.mu_static * n1, c2.mu_static * n2
     left = min(most1 - abs(f1), most2 - abs(f2))
     if left > 0.0:
         bears = math.sqrt(most1 * most1 - f1 * f1) + math.sqrt(most2 * most2 - f2 * f2)
