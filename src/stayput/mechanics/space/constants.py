@@ -62,11 +62,10 @@ STEP_SAFETY, LEAST_GROWTH, MOST_GROWTH = 0.9, 0.2, 4.0
 MOST_STEP_TRIES = 16
 """Most lengths that a step is tried with."""
 
-PENETRATION = 1e-8
-"""How much deeper than at first a point may go into a plane in a flow [m], as in general steps."""
-
 GAP_TOLERANCE = 5e-8
-"""Gap at which two are taken to meet [m]: half of that at which general steps close a contact."""
+"""Gap up to which a point meets a plane, and how much deeper than at first it may go into one [m]: half of
+the gap at which general steps close a contact.
+"""
 
 MARGIN_TOLERANCE = 1e-6
 """How far beyond the margin of its forces, over the weight, a flow ends."""
