@@ -125,6 +125,19 @@ def text_of(name: str, cell: Cell, longest: int = 200) -> str | None:
     return text
 
 
+LENGTHS = (0.01, 10.0)
+"""Sizes of a piece [m]; beyond, a number is in another unit than is stated."""
+
+
+def length_or_none(cell: Cell, *, stated: NumberUnit | None, decimal_comma: bool) -> float | None:
+    """Return a size along the wall [m]; None where it is none: without it a piece is run in the plane."""
+    try:
+        value = number_of("length", cell, "m", stated, decimal_comma)
+    except InputError:
+        return None
+    return value if value is not None and LENGTHS[0] <= value <= LENGTHS[1] else None
+
+
 def number_of(
     name: str, cell: Cell, unit: str = "", stated: NumberUnit | None = None, decimal_comma: bool = False
 ) -> float | None:

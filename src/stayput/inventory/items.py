@@ -51,9 +51,9 @@ MOST_OPTIONS = 20
 DEEPEST = 9
 """Lowest basement that there may be."""
 
-OF_THE_BODY = ("preset", "width", "height", "mass", "cg_offset", "load")
+OF_THE_BODY = ("preset", "width", "length", "height", "mass", "cg_offset", "load")
 OF_THE_ROOM = ("floor", "gap", "wall", "fixed", "measures")
-SIZES = {"width": (0.01, 10.0, "m"), "height": (0.01, 10.0, "m"), "mass": (0.1, 50_000.0, "kg")}
+SIZES = {**dict.fromkeys(("width", "length", "height"), (0.01, 10.0, "m")), "mass": (0.1, 50_000.0, "kg")}
 """What a piece of an inventory may have; beyond, its numbers are in another unit than is stated."""
 
 OF_THE_CONTENTS = ("contents", "doors", "drawers", "lip", "load")
@@ -103,8 +103,6 @@ class Exposure:
     ----------
     row : dict
         What the plan's row says of it.
-    depth : float
-        Depth of the piece [m].
     ground : str
         Spec of the shaking of its building.
     storey : int
@@ -116,7 +114,6 @@ class Exposure:
     """
 
     row: dict[str, Any]
-    depth: float
     ground: str
     storey: int
     piece: str
@@ -184,6 +181,7 @@ class RowReader:
         costs = numbers_of("costs", cells.get("costs"))
         about = {"row": row, "id": piece, "name": name_of(cells.get("name")), "count": count}
         about |= {"value": value, "lat": lat, "lon": lon, "weighed": weighed}
+        about["in_plane"] = body.length is None or self.scenarios.in_plane
         exposures: list[Exposure] = []
         for event, station, level in self.scenarios.events_at(lat, lon):
             label, building, storey = self._building(cells, station)
@@ -210,7 +208,7 @@ class RowReader:
             ground = self.grounds.result(place, partial(ground_spec, station, level, building))
             moves_with = max(storey, 1)  # a basement moves as the ground does
             held = [specs[n] for n in possible]
-            exposures.append(Exposure(here, body.width, ground, moves_with, spec, held))
+            exposures.append(Exposure(here, ground, moves_with, spec, held))
         for cost in costs:
             within("costs", cost, 0.0, 1e15, field="costs")
         return exposures
@@ -229,12 +227,13 @@ class RowReader:
             room = room_of(cells, scenario)
             refuse_bad_start(body, room, State())
             options, fixed = options_of(cells, scenario), fixing_of(cells, scenario)
+            dimensions = 2 if body.length is None or self.scenarios.in_plane else 3
             not_possible: dict[str, dict[str, str]] = {}
             for name, measures in options.items():
                 refuse_conflicts(measures)
                 try:
                     refuse_conflicts((*fixed, *measures))
-                    held = hold(body, room, _ordered((*fixed, *measures)))
+                    held = hold(body, room, _ordered((*fixed, *measures)), dimensions=dimensions)
                     if not weighed and (held.elements or held.body != body):
                         raise InputError("inventory.without_mass", "mass")
                 except InputError as error:  # no wall behind, no ceiling, an anchor above the ceiling

@@ -14,10 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stayput.files import arrow
-from stayput.fragility.paired import Difference, difference, score_interval
+from stayput.fragility.paired import score_interval
 from stayput.fragility.probabilities import CONFIDENCE, probability_of_counts
 from stayput.inventory.folder import Workspace, digest_of
 from stayput.inventory.items import NO_MEASURE
+from stayput.inventory.store import GROUND
 from stayput.montecarlo.counting import EVENTS, OVERTURNED, RANKING_ORDER, SLID, severity
 from stayput.verification.words import SAFE, SMALL
 
@@ -25,9 +26,6 @@ if TYPE_CHECKING:
     from stayput.inventory.work import Work
 
 PIECES = "pieces"
-GROUND = ("intensity", "sa", "pga", "pgv")
-"""How strongly the ground shakes."""
-
 ENDS = ("", "_low", "_high")
 """An estimate, and the ends of its interval."""
 
@@ -158,6 +156,14 @@ def schema(metadata: Mapping[str, str]) -> Any:
     return pa.schema(fields, metadata=dict(metadata))
 
 
+class RiskChange(NamedTuple):
+    """How much likelier an event is with an option than without a measure, run by run."""
+
+    estimate: float
+    low: float
+    high: float
+
+
 class Choice(NamedTuple):
     """The best of a row's options by risk, and by cost with its gain; options by their place.
 
@@ -166,17 +172,14 @@ class Choice(NamedTuple):
 
     best: int
     event: str | None
-    change: Difference | None
+    change: RiskChange | None
     by_cost: int | None
     gain: float | None
 
 
-def _change(records: NDArray[np.void], option: int, event: str) -> Difference:
+def _change(records: NDArray[np.void], option: int, event: str) -> RiskChange:
     """Return how much likelier an event, or overturning, is with an option than without, run by run."""
-    each = np.unpackbits(records["each"][[option, 0]], axis=-1).view(np.bool_)
-    happened = each[:, EVENTS.index(event)] | each[:, EVENTS.index(OVERTURNED)]
-    given_up = each[:, -1].any(axis=0)
-    return difference(happened[0], happened[1], given_up, comparisons=len(records) - 1)
+    return RiskChange(*records["change"][option, EVENTS.index(event)].tolist())
 
 
 def choose(
@@ -193,7 +196,7 @@ def choose(
 
     Parameters
     ----------
-    records : ndarray of `stayput.inventory.store.record_type`
+    records : ndarray of `stayput.inventory.store.RECORD`
         Outcomes of the options.
     sizes : list of int
         Number of measures of each.
@@ -292,14 +295,14 @@ def write_results(
 
 def _lines(rows: list[dict[str, Any]], work: Work) -> list[dict[str, Any]]:
     """Return the rows of a part of the results from those of the plan."""
-    wanted = np.unique(np.concatenate([row["units"] for row in rows]).astype(np.int64))
+    wanted = np.unique(np.concatenate([row["records"] for row in rows]).astype(np.int64))
     records = work.outcomes.of(wanted)
     chosen: dict[Any, tuple[Choice, list[dict[str, Any]]]] = {}
     lines: list[dict[str, Any]] = []
     for row in rows:
-        key = (tuple(row["units"]), tuple(row["options"]), tuple(row["costs"] or ()), row["value"])
+        key = (tuple(row["records"]), tuple(row["options"]), tuple(row["costs"] or ()), row["value"])
         if key not in chosen:
-            option_records = records[np.searchsorted(wanted, row["units"])]
+            option_records = records[np.searchsorted(wanted, row["records"])]
             sizes = [0 if name == NO_MEASURE else 1 + name.count("+") for name in row["options"]]
             choice = choose(option_records, sizes, row["costs"], row["value"])
             chosen[key] = choice, [numbers_of(record) for record in option_records]

@@ -126,6 +126,8 @@ class OptionRunner:
         As many as there are cores by default. The bits do not depend on them.
     scaled_motions : ScaledMotions, optional
         The motions at any level; those of the scenario by default.
+    floors : FloorMotions, optional
+        The motions, where they are known at the one level that is run.
     shaking_factor : float
         A factor on the shaking that the scenario states.
     beside : bool
@@ -156,19 +158,23 @@ class OptionRunner:
         threads: int | None,
         *,
         scaled_motions: ScaledMotions | None = None,
+        floors: FloorMotions | None = None,
         shaking_factor: float = 1.0,
         beside: bool = False,
         levels: Sequence[float] = (),
         advance: Callable[[int], None] = lambda _runs: None,
     ) -> None:
         self.scenario, self.threads, self.advance = scenario, threads, advance
-        motions = scaled_motions or ScaledMotions.of(scenario)
-        self.floors = motions.stated_by(scenario, shaking_factor)
+        if floors is None:
+            motions = scaled_motions or ScaledMotions.of(scenario)
+            self.floors = motions.stated_by(scenario, shaking_factor)
+            factors = [10.0 ** (0.5 * offset) for offset in OFFSETS[1:] if beside]
+            nearby = [motions.stated_by(scenario, shaking_factor * factor) for factor in factors]
+            further = [motions.at(float(level)) for level in levels]
+            self.all_floors = FloorMotions.joined([self.floors, *nearby, *further])
+        else:
+            self.floors = self.all_floors = floors
         self.settings = Settings.of(scenario, len(self.floors.motions), slide_limit)
-        factors = [10.0 ** (0.5 * offset) for offset in OFFSETS[1:] if beside]
-        nearby = [motions.stated_by(scenario, shaking_factor * factor) for factor in factors]
-        further = [motions.at(float(level)) for level in levels]
-        self.all_floors = FloorMotions.joined([self.floors, *nearby, *further])
         self.members = Members.in_turn(self.settings.motions, self.settings.runs, beside=beside)
         self.detector = RoomEventDetector()
         self._scenes: dict[int, tuple[Option, Scene]] = {}

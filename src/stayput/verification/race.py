@@ -26,6 +26,9 @@ FIRST_LOOK, STEP, STEP_IN_ROOM = 4, 8, 4
 
 In a room a look is cheap: most runs of an option are those of others, and no curve is fitted."""
 
+GROWTH = 8
+"""By how much more runs there are at the next look where all runs are asked for: few looks are fast."""
+
 LEADERS = 3
 """Options that run on beside that without anything after the first look; others of a room cannot win then."""
 
@@ -72,18 +75,22 @@ class Race:
         """Let more options take part, whose tracks are not kept."""
         self.options += options
 
-    def all_runs(self) -> Iterator[None]:
-        """Make all runs of all options, and yield after each part of them."""
+    def looks(self) -> Iterator[None]:
+        """Run the race, and yield after each look; all runs of all options, where so many are asked for."""
+        uncertainty = self.runner.scenario.uncertainty
+        asked = uncertainty.samples is not None and uncertainty.precision is None
+        return self._all_runs() if asked else self._race()
+
+    def _all_runs(self) -> Iterator[None]:
         most, count = len(self.runner.members), STEP
         while True:
             self._run_to(dict.fromkeys(range(len(self.options)), count))
             yield
             if count >= most:
                 return
-            count *= 2
+            count *= GROWTH
 
-    def looks(self) -> Iterator[None]:
-        """Run the race, and yield after each look."""
+    def _race(self) -> Iterator[None]:
         most, everyone = len(self.runner.members), range(len(self.options))
         for count in (STEP,) if self.runs else (FIRST_LOOK, STEP):
             self._run_to(dict.fromkeys(everyone, count))
