@@ -37,7 +37,7 @@ HALF_WIDTHS = {2: 0.10, 3: 0.16}
 
 A run in the plane takes a tenth of the time of one in space."""
 
-HELPS, CONTENDS, CONTENDER = 0.1, 0.15, 0.6
+HELPS, CONTENDS, CONTENDER = 0.04, 0.15, 0.6
 """How much less often the best overturns than without anything, and than what may be as good; its factor.
 
 Where something helps, the options between which it is open are known better than others: else what is told as
@@ -77,9 +77,7 @@ class Race:
 
     def looks(self) -> Iterator[None]:
         """Run the race, and yield after each look; all runs of all options, where so many are asked for."""
-        uncertainty = self.runner.scenario.uncertainty
-        asked = uncertainty.samples is not None and uncertainty.precision is None
-        return self._all_runs() if asked else self._race()
+        return self._all_runs() if self.runner.settings.all_runs else self._race()
 
     def _all_runs(self) -> Iterator[None]:
         most, count = len(self.runner.members), STEP
