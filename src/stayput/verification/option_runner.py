@@ -128,8 +128,6 @@ class OptionRunner:
         The motions at any level; those of the scenario by default.
     floors : FloorMotions, optional
         The motions, where they are known at the one level that is run.
-    shaking_factor : float
-        A factor on the shaking that the scenario states.
     beside : bool
         Whether two in five of the runs are at the levels beside the stated one; see `OFFSETS`.
     levels : sequence of float
@@ -159,7 +157,6 @@ class OptionRunner:
         *,
         scaled_motions: ScaledMotions | None = None,
         floors: FloorMotions | None = None,
-        shaking_factor: float = 1.0,
         beside: bool = False,
         levels: Sequence[float] = (),
         advance: Callable[[int], None] = lambda _runs: None,
@@ -167,9 +164,9 @@ class OptionRunner:
         self.scenario, self.threads, self.advance = scenario, threads, advance
         if floors is None:
             motions = scaled_motions or ScaledMotions.of(scenario)
-            self.floors = motions.stated_by(scenario, shaking_factor)
+            self.floors = motions.stated_by(scenario)
             factors = [10.0 ** (0.5 * offset) for offset in OFFSETS[1:] if beside]
-            nearby = [motions.stated_by(scenario, shaking_factor * factor) for factor in factors]
+            nearby = [motions.stated_by(scenario, factor) for factor in factors]
             further = [motions.at(float(level)) for level in levels]
             self.all_floors = FloorMotions.joined([self.floors, *nearby, *further])
         else:
@@ -178,8 +175,7 @@ class OptionRunner:
         self.members = Members.in_turn(self.settings.motions, self.settings.runs, beside=beside)
         self.detector = RoomEventDetector()
         self._scenes: dict[int, tuple[Option, Scene]] = {}
-        again = scenario.plan is not None and shaking_factor == 1.0
-        library = (_kept_library if again else Library)(scenario, self.all_floors)
+        library = (Library if scenario.plan is None else _kept_library)(scenario, self.all_floors)
         self.scene_runner = SceneRunner(
             scenario, library, threads=threads, advance=advance, detect=self.detector
         )
