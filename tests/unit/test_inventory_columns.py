@@ -6,7 +6,7 @@ import json
 import re
 
 import pytest
-from inventories import CITY, planned
+from inventories import CITY, planned, table
 
 import stayput as sp
 from stayput.inventory.columns import COLUMNS, plain_name, read_columns
@@ -244,6 +244,23 @@ def test_the_size_along_the_wall_is_the_length(tmp_path):
     assert english.startswith("Simulated in the plane of their depth: 3 rows, of which no length")
     assert "奥行方向だけで計算した家具：3行" in japanese
     assert engine_told(facts | {"in the plane": 0}) == ("", "")
+
+
+def test_a_piece_without_a_length_is_refused_where_it_cannot_be_in_the_plane(tmp_path):
+    rows = ["a,0.3,0.9,1.8,80", "b,0.3,,1.8,80"]
+    for number, stated in enumerate(("dimensions = 3\n", "near_side_wall = { gap = 0.1 }\n")):
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        scenario = (
+            stated + CITY if "dimensions" in stated else CITY.replace("[shaking]", f"{stated}[shaking]")
+        )
+        _, rejects, (body,), _, _ = planned(
+            folder, table(folder, rows, "id,width,length,height,mass"), scenario
+        )
+        assert body.length == 0.9
+        assert [each["id"] for each in rejects] == ["b"]
+        assert "length" in rejects[0]["reason"]
+        assert "length" in rejects[0]["reason_ja"] or "幅" in rejects[0]["reason_ja"]
 
 
 BAD_CELLS = {

@@ -13,8 +13,18 @@ from cachetools import LRUCache
 
 from stayput.catalogue import phrase
 from stayput.contents.contents import Contents, emptied
-from stayput.errors import InputError, not_allowed, too_many, unknown, visible, whole_within, within
+from stayput.errors import (
+    InputError,
+    no_length,
+    not_allowed,
+    too_many,
+    unknown,
+    visible,
+    whole_within,
+    within,
+)
 from stayput.inventory.cells import (
+    LENGTHS,
     ROOF,
     Cell,
     Unusable,
@@ -53,7 +63,7 @@ DEEPEST = 9
 
 OF_THE_BODY = ("preset", "width", "length", "height", "mass", "cg_offset", "load")
 OF_THE_ROOM = ("floor", "gap", "wall", "fixed", "measures")
-SIZES = {**dict.fromkeys(("width", "length", "height"), (0.01, 10.0, "m")), "mass": (0.1, 50_000.0, "kg")}
+SIZES = {**dict.fromkeys(("width", "length", "height"), (*LENGTHS, "m")), "mass": (0.1, 50_000.0, "kg")}
 """What a piece of an inventory may have; beyond, its numbers are in another unit than is stated."""
 
 OF_THE_CONTENTS = ("contents", "doors", "drawers", "lip", "load")
@@ -225,6 +235,8 @@ class RowReader:
 
         def make() -> tuple[str, dict[str, str], dict[str, dict[str, str]], str | None]:
             room = room_of(cells, scenario)
+            if body.length is None and (scenario.stated_dimensions == 3 or room.has_side_walls):
+                raise no_length("length")
             refuse_bad_start(body, room, State())
             options, fixed = options_of(cells, scenario), fixing_of(cells, scenario)
             dimensions = 2 if body.length is None or self.scenarios.in_plane else 3
