@@ -25,15 +25,14 @@ from stayput.errors import (
 )
 from stayput.inventory.cells import (
     LENGTHS,
-    ROOF,
     Cell,
     Unusable,
     is_empty,
     number_of,
-    number_or_none,
     numbers_of,
     plain,
     shown,
+    storey_of,
     text_of,
 )
 from stayput.inventory.columns import TOTAL_ROW, plain_name
@@ -57,9 +56,6 @@ MOST_CACHED = 100_000
 
 MOST_OPTIONS = 20
 """Most sets of measures that a row compares."""
-
-DEEPEST = 9
-"""Lowest basement that there may be."""
 
 OF_THE_BODY = ("preset", "width", "length", "height", "mass", "cg_offset", "load")
 OF_THE_ROOM = ("floor", "gap", "wall", "fixed", "measures")
@@ -377,24 +373,6 @@ def _floor(value: str | float, default: Floor) -> Floor:
     if len(pair) != 2:
         raise not_allowed("floor", shown(value), "inventory.floor", "floor")
     return Floor(*pair, **losses)
-
-
-def storey_of(cell: Cell, highest: int) -> int | None:
-    """Return the storey of a cell, below 0 in a basement; None where it is empty.
-
-    Raises
-    ------
-    InputError
-        No storey, or one that a building of so many does not have.
-    """
-    if cell == ROOF:
-        return highest
-    if is_empty(cell):
-        return None
-    storey = None if isinstance(cell, str) and number_or_none(cell) is None else number_of("storey", cell)
-    if storey is None or not (1 <= storey <= highest or -DEEPEST <= storey <= -1) or storey % 1:
-        raise InputError("inventory.storey", "storey", value=shown(cell), highest=highest, deepest=DEEPEST)
-    return int(storey)
 
 
 def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> dict[str, tuple[Measure, ...]]:
