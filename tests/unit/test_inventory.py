@@ -303,7 +303,8 @@ def test_rejects_alone_are_a_failure(tmp_path):
 def test_the_example_runs(tmp_path):
     examples = Path(__file__).parents[2] / "examples" / "city"
     text = (examples / "city.toml").read_text(encoding="utf-8")
-    scenario = city(tmp_path, text.replace(" = 80", " = 10"))
+    quick = text.replace("count = 80", "count = 10").replace("[uncertainty]", "[uncertainty]\nsamples = 80")
+    scenario = city(tmp_path, f"dimensions = 2\n{quick}")
     done = assess(examples / "inventory.csv", scenario, tmp_path / "out", progress=False)
     assert done.facts["rejects"] == 0
     page = done.report("en").read_text(encoding="utf-8")
