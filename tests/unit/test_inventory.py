@@ -339,3 +339,10 @@ def test_what_only_a_verification_uses_is_said(tmp_path, added, key):
     file.write_text(PLAIN + added, encoding="utf-8")
     with pytest.warns(sp.InputWarning, match=rf"quake.toml.*{key}.* is not used"):
         read_scenario_file(file)
+
+
+def test_a_start_inside_the_wall_is_refused_as_in_a_verification(tmp_path):
+    scenario = city(tmp_path, CITY.replace("0.05", "0.02") + "[initial]\nslide = -0.5\n")
+    file = table(tmp_path, ["a,0.4,0.9,1.8,80", "b,0.4,,1.8,80"], "id,width,length,height,mass")
+    done = assess(file, scenario, tmp_path / "out", progress=False)
+    assert [row["id"] for row in done.rejects.to_pylist()] == ["a", "b"]

@@ -41,7 +41,7 @@ from stayput.inventory.store import ground_spec
 from stayput.measures import MEASURES, Measure, hold
 from stayput.measures.measure import refuse_conflicts
 from stayput.model.room import WALLS, Floor, Room, Wall
-from stayput.model.state import State, refuse_bad_start
+from stayput.model.state import refuse_bad_start
 from stayput.saved import to_text
 from stayput.scenario.pieces import PieceTable
 from stayput.vocabulary import plain_word
@@ -233,7 +233,7 @@ class RowReader:
             room = room_of(cells, scenario)
             if body.length is None and (scenario.stated_dimensions == 3 or room.has_side_walls):
                 raise no_length("length")
-            refuse_bad_start(body, room, State())
+            refuse_bad_start(body, room, scenario.initial.state())
             options, fixed = options_of(cells, scenario), fixing_of(cells, scenario)
             dimensions = 2 if body.length is None or self.scenarios.in_plane else 3
             not_possible: dict[str, dict[str, str]] = {}

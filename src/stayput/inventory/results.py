@@ -7,7 +7,6 @@ from collections.abc import Callable, Mapping
 from enum import StrEnum
 from functools import cache
 from pathlib import Path
-from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -19,7 +18,7 @@ from stayput.fragility.probabilities import CONFIDENCE, probability_of_counts
 from stayput.inventory.folder import Workspace, digest_of
 from stayput.inventory.items import NO_MEASURE
 from stayput.inventory.store import GROUND
-from stayput.montecarlo.counting import EVENTS, OVERTURNED, RANKING_ORDER, SLID, severity
+from stayput.montecarlo.counting import EVENTS, OVERTURNED, RANKING_ORDER, RANKING_RESOLUTION, SLID
 from stayput.verification.words import SAFE, SMALL
 
 if TYPE_CHECKING:
@@ -187,10 +186,10 @@ def choose(
 ) -> Choice:
     """Choose among options, that without a measure first.
 
-    By risk: ranked by `stayput.montecarlo.counting.severity`, where a piece that overturns is as bad as one
-    that also slid or hit a wall: the other events count only beyond the probability of overturning. A
-    measure that ranks no better than none, or overturns more often by however little, is not taken: then
-    none of them helps.
+    By risk: by how much less likely than without a measure the events of `RANKING_ORDER` are, run by run,
+    since options may have other numbers of runs; a piece that overturns is as bad as one that also slid or
+    hit a wall. A measure that does no better than none, or with which it overturns more often by however
+    little, is not taken: then none of them helps.
     By cost: with a value, the largest loss avoided less cost; else the largest fall of the probability of
     overturning for its cost. Only an option with which it clearly overturns less often is taken.
 
@@ -205,25 +204,22 @@ def choose(
     value : float, optional
         Loss if a piece overturns.
     """
-    shares = records["chances"][:, :, 0]
-    beyond = np.fmax(shares, shares[:, [EVENTS.index(OVERTURNED)]])
-    ranks = [
-        severity({e: SimpleNamespace(estimate=p) for e, p in zip(EVENTS, row, strict=True)}, size)  # type: ignore[dict-item]
-        for row, size in zip(beyond.tolist(), sizes, strict=True)
-    ]
-    fallen = shares[:, EVENTS.index(OVERTURNED)]
-    no_worse = [n for n in range(len(ranks)) if not fallen[n] > fallen[0]]
-    best = min(no_worse, key=lambda n: (ranks[n], n))
-    if not ranks[best][:-1] < ranks[0][:-1]:
-        best = 0
-    compared = zip(RANKING_ORDER, ranks[best], ranks[0], strict=False)
-    event = next((event for event, held, bare in compared if held < bare), None)
+    ordered = [EVENTS.index(event) for event in RANKING_ORDER]
+    changes: NDArray[np.float64] = records["change"][:, ordered, 0]
+    changes[0] = 0.0
+    known = np.isfinite(changes.sum(axis=1))
+    steps: list[list[float]] = np.round(
+        np.where(known[:, np.newaxis], changes, 1.0) / RANKING_RESOLUTION
+    ).tolist()
+    no_worse = [n for n in range(len(steps)) if not changes[n, 0] > 0.0]
+    best = min(no_worse, key=lambda n: (*steps[n], sizes[n], n))
+    event = next((event for event, step in zip(RANKING_ORDER, steps[best], strict=True) if step), None)
     change = None if event is None else _change(records, best, event)
-    if change is not None and not change.estimate < 0.0:  # as where a piece that slid also overturned
+    if change is None or not change.estimate < 0.0:
         best, event, change = 0, None, None
     if costs is None:
         return Choice(best, event, change, None, None)
-    seen = fallen[0] - fallen[1:]
+    seen = -changes[1:, 0]
     clear = [gain > 0.0 and _change(records, n, OVERTURNED).high < 0.0 for n, gain in enumerate(seen, 1)]
     avoided = np.where(clear, seen, 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):

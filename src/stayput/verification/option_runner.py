@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import weakref
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -230,7 +230,7 @@ class OptionRunner:
         copies = [[number] for number in range(len(self.scenario.names))]
         if self.in_plane:
             return copies
-        facing = dict[str, dict[int, int]]()
+        facing = dict[Hashable, dict[int, int]]()
         alone = [each for each in self.scene_runner.standings(self.scene(option)) if len(each.group) == 1]
         for standing in alone:
             same = facing.setdefault(standing.kind.key, {})
