@@ -25,6 +25,7 @@ from stayput.inventory.folder import OUTCOMES
 from stayput.inventory.shakemap import GroundLevel
 from stayput.inventory.store import GROUND, RECORD, OutcomeStore, Store, ground_of
 from stayput.montecarlo.counting import OVERTURNED, Outcomes, Quantiles
+from stayput.montecarlo.runs import Runs
 from stayput.montecarlo.sampling import Settings
 from stayput.montecarlo.scaled_motions import FloorMotions, ScaledMotions
 from stayput.saved import from_text
@@ -152,7 +153,7 @@ def _raced(runner: OptionRunner, options: Sequence[Option]) -> list[Outcomes]:
     race = Race(runner, options)
     for _ in race.looks():
         pass
-    return [runs.outcomes for runs in race.runs]
+    return [*race.runs]
 
 
 def _is_possible(runner: OptionRunner, option: Option) -> bool:
@@ -167,7 +168,8 @@ def fill_record(
     record: np.void, outcomes: Outcomes, slide_limit: float, share: Probability | None = None
 ) -> None:
     """Fill in the record of an option, with the share of the contents that come out."""
-    chances = outcomes.probabilities(slide_limit)
+    held = not isinstance(outcomes, Runs) or outcomes.devices.shape[1] > 0
+    chances = outcomes.probabilities(slide_limit, held=held)
     fallen = chances[OVERTURNED]
     for name in ("motions", "runs", "missing", "fell"):
         record[name] = getattr(fallen, name)

@@ -17,7 +17,7 @@ from stayput.fragility.intensity_measures import FLOOR_JMA, JMA_INTENSITY, Inten
 from stayput.fragility.trials import Trials
 from stayput.measures.element import weakest
 from stayput.mechanics.devices.columns import HOLDS
-from stayput.montecarlo.counting import DEVICE_FAILED, OFFSETS, Members, Outcomes, Quantiles, worst_of
+from stayput.montecarlo.counting import OFFSETS, Members, Outcomes, Quantiles, worst_of
 from stayput.montecarlo.sampling import Settings
 from stayput.montecarlo.scaled_motions import FloorMotions, ScaledMotions
 from stayput.motion.intensity import INTENSITY_RANGE
@@ -40,7 +40,6 @@ from stayput.verification.verdict import AsInstalled, DeviceSummary, OptionVerdi
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.fragility.paired import Difference
-    from stayput.fragility.probabilities import Probability
     from stayput.measures import Element
     from stayput.montecarlo.runs import Runs
     from stayput.scenario import Scenario
@@ -299,7 +298,7 @@ def option_verdict(
         option=option,
         rank=0,
         runs=len(runs.members),
-        probabilities=_chances(runs, limit, held=len(held) > 0),
+        probabilities=runs.probabilities(limit, held=len(held) > 0),
         change=change(),
         slid=change(moved=True),
         slide=Quantiles.of(stated.slide, stated.overturned),
@@ -309,7 +308,7 @@ def option_verdict(
         pieces=tuple(
             PieceVerdict(
                 name,
-                _chances(outcomes, limit, held=any(name in pieces for pieces, _ in held)),
+                outcomes.probabilities(limit, held=any(name in pieces for pieces, _ in held)),
                 Quantiles.of(outcomes.stated.slide, outcomes.stated.overturned),
                 Quantiles.of(outcomes.stated.tilt, outcomes.stated.overturned),
                 outcomes.stability(limit),
@@ -326,14 +325,6 @@ def option_verdict(
         capacities={},
         people=people,
     )
-
-
-def _chances(outcomes: Outcomes, limit: float, *, held: bool) -> dict[str, Probability]:
-    """Return the probability of each event; where nothing holds a piece, no device can fail."""
-    chances = outcomes.probabilities(limit)
-    if not held:
-        chances[DEVICE_FAILED] = replace(chances[DEVICE_FAILED], estimate=0.0, low=0.0, high=0.0)
-    return chances
 
 
 def _of_kind(outcomes: Sequence[Outcomes], copies: Sequence[int], count: int | None = None) -> Outcomes:

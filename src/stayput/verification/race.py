@@ -168,7 +168,7 @@ class Race:
             may_win = not self._beaten(number, best) and (place < LEADERS or not self._in_room)
             targets[number] = enough * (RUNNER_UP if may_win else BEATEN)
         targets |= dict.fromkeys(self._contenders(order), enough * CONTENDER)
-        if self._seems_to_help(order):
+        if precision is None and self._seems_to_help(order):
             targets |= dict.fromkeys((0, best), enough * UNSURE)
         return [number for number in sorted(targets) if not self._half_width(number) <= targets[number]]
 
