@@ -103,9 +103,10 @@ def reason_told(finding: Mapping[str, Any]) -> Phrase:
 
 def notes_told(facts: Mapping[str, Any]) -> list[Phrase]:
     """Return what is special about some rows: their shape, mass and fixing, and measures not possible."""
-    without_mass = [tell("without_mass", rows=rows_counted(n)) for n in (facts["without mass"],) if n]
-    fixed, not_possible = facts["fixed"], facts["measures not possible"]
-    return [*without_mass, *each_told("fixed", fixed), *each_told("not_possible", not_possible)]
+    rows = facts["without mass"]
+    notes = [tell("without_mass", rows=rows_counted(rows))] if rows else []
+    notes += each_told("fixed", facts["fixed"])
+    return notes + each_told("not_possible", facts["measures not possible"])
 
 
 def engine_told(facts: Mapping[str, Any]) -> Phrase:

@@ -36,7 +36,7 @@ GROUND = ("intensity", "sa", "pga", "pgv")
 
 _TABLES = """
 CREATE TABLE things (id INTEGER PRIMARY KEY, digest BLOB UNIQUE NOT NULL, spec TEXT NOT NULL);
-CREATE TABLE options (id INTEGER PRIMARY KEY, spec TEXT UNIQUE NOT NULL, count INTEGER NOT NULL);
+CREATE TABLE options (id INTEGER PRIMARY KEY, spec TEXT UNIQUE NOT NULL);
 CREATE TABLE sites (id INTEGER PRIMARY KEY, ground TEXT NOT NULL, storey INTEGER NOT NULL,
                     UNIQUE (ground, storey));
 CREATE TABLE units (site INTEGER, options INTEGER, thing INTEGER, id INTEGER NOT NULL,
@@ -110,7 +110,7 @@ class Store:
         site = self._number("sites", {"ground": ground, "storey": storey})
         digest = hashlib.blake2b(piece.encode(), digest_size=16).digest()
         thing = self._number("things", {"digest": digest}, spec=piece)
-        compared = self._number("options", {"spec": json.dumps(options)}, count=len(options))
+        compared = self._number("options", {"spec": json.dumps(options)})
         key = {"site": site, "options": compared, "thing": thing}
         first = self._number("units", key, id=self.next_record)
         if first == self.next_record:
