@@ -168,8 +168,8 @@ def fill_record(
     record: np.void, outcomes: Outcomes, slide_limit: float, share: Probability | None = None
 ) -> None:
     """Fill in the record of an option, with the share of the contents that come out."""
-    held = not isinstance(outcomes, Runs) or outcomes.devices.shape[1] > 0
-    chances = outcomes.probabilities(slide_limit, held=held)
+    has_devices = not isinstance(outcomes, Runs) or outcomes.devices.shape[1] > 0
+    chances = outcomes.probabilities(slide_limit, has_devices=has_devices)
     fallen = chances[OVERTURNED]
     for name in ("motions", "runs", "missing", "fell"):
         record[name] = getattr(fallen, name)

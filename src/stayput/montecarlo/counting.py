@@ -190,19 +190,19 @@ class Outcomes:
         """Return whether it slid farther than a limit [m] or overturned: what falls has moved."""
         return self.overturned | (self.slide > slide_limit)
 
-    def probabilities(self, slide_limit: float, *, held: bool = True) -> dict[str, Probability]:
+    def probabilities(self, slide_limit: float, *, has_devices: bool = True) -> dict[str, Probability]:
         """Return the probability of each of `EVENTS`.
 
         Parameters
         ----------
         slide_limit : float
             The slide that is too far [m].
-        held : bool
+        has_devices : bool
             Whether devices hold it: where none does, none can fail.
         """
         happened = self.happened(slide_limit)
         chances = {event: self.probability(flags) for event, flags in zip(EVENTS, happened, strict=True)}
-        if not held:
+        if not has_devices:
             chances[DEVICE_FAILED] = replace(chances[DEVICE_FAILED], estimate=0.0, low=0.0, high=0.0)
         return chances
 

@@ -298,7 +298,7 @@ def option_verdict(
         option=option,
         rank=0,
         runs=len(runs.members),
-        probabilities=runs.probabilities(limit, held=len(held) > 0),
+        probabilities=runs.probabilities(limit, has_devices=len(held) > 0),
         change=change(),
         slid=change(moved=True),
         slide=Quantiles.of(stated.slide, stated.overturned),
@@ -308,7 +308,7 @@ def option_verdict(
         pieces=tuple(
             PieceVerdict(
                 name,
-                outcomes.probabilities(limit, held=any(name in pieces for pieces, _ in held)),
+                outcomes.probabilities(limit, has_devices=any(name in pieces for pieces, _ in held)),
                 Quantiles.of(outcomes.stated.slide, outcomes.stated.overturned),
                 Quantiles.of(outcomes.stated.tilt, outcomes.stated.overturned),
                 outcomes.stability(limit),
