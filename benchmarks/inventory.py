@@ -1,7 +1,7 @@
 """Inventories: throughput beside the bare kernel's, threads and processes, memory, the gain of doing once.
 
-``python benchmarks/inventory.py [PART ...]``: speed, many, whole, kinds, processes, large, memory; all by
-default. Every part runs in a process of its own, so that its memory is its own. ``--json FILE`` keeps the
+``python benchmarks/inventory.py [PART ...]``: space, speed, whole, processes, large, memory; all by default.
+Every part runs in a process of its own, so that its memory is its own. ``--json FILE`` keeps the
 numbers.
 """
 
@@ -14,21 +14,20 @@ import subprocess
 import sys
 import tempfile
 import time
-from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
-from multiprocessing import get_context
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 CITY = """
-[room]
+{plane}[room]
 left_wall = {{ gap = 0.05 }}
 ceiling = {{ height = 2.4 }}
 [shaking]
 {shaking}
 [uncertainty]
-samples = {samples}
+{samples}
 """
 
 SUITE = 'intensity = "6-upper"\nsuite = { family = "mixed", count = 40, seed = 1 }'
@@ -48,9 +47,11 @@ PRESETS = (
 FLOORS = ("wood flooring", "vinyl", "carpet")
 
 
-def city(folder: Path, samples: int, shaking: str = SUITE) -> Path:
+def city(folder: Path, samples: int | None, shaking: str = SUITE) -> Path:
+    """A scenario: in the plane with so many samples, or in space with as many as the race takes."""
     file = folder / "city.toml"
-    file.write_text(CITY.format(samples=samples, shaking=shaking), encoding="utf-8")
+    plane, stated = ("", "") if samples is None else ("dimensions = 2\n", f"samples = {samples}")
+    file.write_text(CITY.format(plane=plane, samples=stated, shaking=shaking), encoding="utf-8")
     return file
 
 
@@ -67,6 +68,17 @@ def different(folder: Path, rows: int) -> Path:
         out.write("id,width,height,mass,floor\n")
         for n in range(rows):
             out.write(f"p{n},{width[n]:.6f},{height[n]:.6f},100,{friction[n]:.6f};{0.8 * friction[n]:.6f}\n")
+    return file
+
+
+def held(folder: Path, rows: int) -> Path:
+    """An inventory of bookcases that all differ, each with two measures to compare."""
+    file = folder / "held.csv"
+    sizes = np.random.default_rng(1).uniform([0.3, 0.8, 1.2, 40.0], [0.6, 1.2, 2.0, 150.0], (rows, 4))
+    with file.open("w", encoding="utf-8") as out:
+        out.write("id,width,length,height,mass,measures\n")
+        for n, (depth, width, height, mass) in enumerate(sizes.tolist()):
+            out.write(f"p{n},{depth:.4f},{width:.4f},{height:.4f},{mass:.1f},l_bracket;belt\n")
     return file
 
 
@@ -102,16 +114,16 @@ def bare(scenario: Path, table: Path, threads: int) -> tuple[int, float, float]:
     from stayput.inventory.scenarios import read_scenarios
     from stayput.inventory.tables import open_table
     from stayput.montecarlo.sampling import Settings, draws, rows_of
-    from stayput.montecarlo.scaled_motions import PreparedFloor, ScaledMotions
+    from stayput.montecarlo.scaled_motions import ScaledMotions
     from stayput.saved import from_text
-    from stayput.simulation.many import run_rows
+    from stayput.simulation.many import plane_shaking, run_rows
 
     cities = read_scenarios(scenario)
     city = cities.all[0]
     reader, settings = RowReader(cities), Settings.of(city.scenario, len(city.ground), 0.1)
     ground = ScaledMotions(city.ground)
     level = city.scenario.shaking.wanted_intensity
-    floor = PreparedFloor.of(ground.acting, ground.factors(level, 1.0))
+    shakings, scales = [*map(plane_shaking, ground.acting)], ground.factors(level, 1.0)
     drawn = draws(settings.motions, settings.samples, settings.seed)
     rows = []
     with open_table(table) as read:
@@ -125,11 +137,9 @@ def bare(scenario: Path, table: Path, threads: int) -> tuple[int, float, float]:
     pieces = []
     for motion in range(settings.motions):
         mine = np.ascontiguousarray(cases[:, motion]).ravel()
-        mine["scale"] = floor.scales[motion]
+        mine["scale"] = scales[motion]
         ties = np.ascontiguousarray(elements[:, motion]).reshape(len(mine), -1)
-        pieces += [
-            (mine[k : k + 128], ties[k : k + 128], floor.shakings[motion]) for k in range(0, len(mine), 128)
-        ]
+        pieces += [(mine[k : k + 128], ties[k : k + 128], shakings[motion]) for k in range(0, len(mine), 128)]
     run_rows(*pieces[0])
     with ThreadPoolExecutor(threads) as pool:
         began, spent = time.perf_counter(), time.process_time()
@@ -177,19 +187,25 @@ def speed(folder: Path) -> list[dict[str, Any]]:
     return found
 
 
-def many(folder: Path) -> list[dict[str, Any]]:
-    """The same of many bodies, both at once on two threads each: what else runs is the same for both."""
-    warm(folder)
-    found: list[dict[str, Any]] = []
-    for bodies, draws in ((10_000, 1), (2_500, 4)):
-        scenario, table = city(folder, 40 * draws), different(folder, bodies)
-        with ProcessPoolExecutor(2, get_context("spawn")) as pool:
-            alone = pool.submit(bare, scenario, table, 2)
-            whole = pool.submit(assessed, folder / f"many-{draws}", scenario, table, 2)
-            (runs, seconds, spent), done = alone.result(), whole.result()
-        told = {"bodies": bodies, "draws": draws, "runs": runs, "bare": runs / seconds, **done}
-        found.append({**told, "CPU ms a run, bare": 1e3 * spent / runs, "load": load()})
-    return found
+def space(folder: Path) -> list[dict[str, Any]]:
+    """Rows a second in space: bookcases that all differ, with two measures each, on two threads."""
+    from stayput.inventory import assess
+
+    scenario = city(folder, None)
+    assess(held(folder, 2), scenario, folder / "warm", threads=2, progress=False)
+    began = time.process_time()
+    done = assess(held(folder, 40), scenario, folder / "space", threads=2, progress=False)
+    spent = time.process_time() - began
+    return [
+        {
+            "rows": 40,
+            "runs a row": done.runs / 40,
+            "rows/s": 40 / done.seconds,
+            "CPU s a row": spent / 40,
+            "CPU ms a run": 1e3 * spent / done.runs,
+            "load": load(),
+        }
+    ]
 
 
 def whole(folder: Path) -> list[dict[str, Any]]:
@@ -206,36 +222,6 @@ def whole(folder: Path) -> list[dict[str, Any]]:
     return [
         {"bodies": 100_000, "before": before, "after": after, **done, "MiB": peak_memory(), "load": load()}
     ]
-
-
-def kinds(folder: Path) -> list[dict[str, Any]]:
-    """Time of a run of a full bookcase by what holds it, on one thread, the best of three."""
-    import stayput as sp
-    from stayput.inventory.scenarios import read_scenarios
-    from stayput.inventory.store import record_type
-    from stayput.inventory.work import evaluate
-    from stayput.measures import MEASURES
-    from stayput.montecarlo.sampling import Settings
-    from stayput.montecarlo.scaled_motions import PreparedFloor, ScaledMotions
-    from stayput.saved import to_text
-
-    stated = read_scenarios(city(folder, 160)).all[0]
-    ground = ScaledMotions(stated.ground)
-    floor = PreparedFloor.of(ground.acting, ground.factors(6.25, 1.0))
-    settings = Settings.of(stated.scenario, len(stated.ground), 0.1)
-    outcome = record_type(settings.motions, settings.samples)
-    room = sp.Room(left_wall=sp.Wall(0.05), ceiling=sp.Ceiling(2.4))
-    unit = [(0, to_text((sp.Body(0.3, 1.8, 200.0), room, None)))]
-    found = []
-    for kind in (None, "wedge_stopper", "gel_mats", "belt", "l_bracket", "tension_pole"):
-        spec = to_text([MEASURES[kind]()] if kind else [])
-        times: list[float] = []
-        for _ in range(3):
-            began = time.process_time()
-            _, runs = evaluate(unit, spec, floor, settings, outcome)
-            times.append(1e3 * (time.process_time() - began) / runs)
-        found.append({"measure": kind or "none", "CPU ms a run": min(times), "load": load()})
-    return found
 
 
 def processes(folder: Path) -> list[dict[str, Any]]:
@@ -311,10 +297,9 @@ def memory(folder: Path, kind: str, rows: int) -> list[dict[str, Any]]:
 
 
 PARTS: dict[str, list[tuple[Any, ...]]] = {
+    "space": [("space",)],
     "speed": [("speed",)],
-    "many": [("many",)],
     "whole": [("whole",)],
-    "kinds": [("kinds",)],
     "processes": [("processes",)],
     "large": [("large",)],
     "memory": [
@@ -330,7 +315,7 @@ def alone(arguments: list[str]) -> None:
         if name == "memory":
             rows = memory(Path(folder), rest[0], int(rest[1]))
         else:
-            parts = (speed, many, whole, kinds, processes, large)
+            parts = (space, speed, whole, processes, large)
             rows = next(part for part in parts if part.__name__ == name)(Path(folder))
     print(json.dumps(rows))
 

@@ -13,6 +13,7 @@ import numpy as np
 
 import stayput as sp
 from stayput.montecarlo.counting import SLIDE_LIMIT, Members
+from stayput.montecarlo.scaled_motions import ScaledMotions
 from stayput.montecarlo.scenes import ENERGY
 from stayput.verification.option_runner import OptionRunner
 from stayput.verification.options import compared_options
@@ -149,7 +150,8 @@ def record(stated: dict[str, Any] | Path) -> dict[str, Any]:
         print(f"  {first + PART} of {len(runner.members)}", flush=True)
     beside = np.full((len(BESIDE), len(options)), np.nan)
     for place, offset in enumerate(BESIDE if scenario.alone else ()):
-        far = OptionRunner(scenario, SLIDE_LIMIT, None, shaking_factor=10.0 ** (0.5 * offset))
+        floors = ScaledMotions.of(scenario).stated_by(scenario, 10.0 ** (0.5 * offset))
+        far = OptionRunner(scenario, SLIDE_LIMIT, None, floors=floors)
         chosen = options[:2]
         each = far.run(chosen, Members.of_samples(MOTIONS, 1).chosen(slice(RUNS_BESIDE)))
         beside[place, : len(chosen)] = [runs.overturned.mean() for runs in each]

@@ -139,7 +139,7 @@ class Replayed:
         places = [SimpleNamespace(day=1.0, night=1.0)] * scene.energy.shape[-1]
         self._plan = SimpleNamespace(places=places) if scene.in_room else None
         self.scenario = SimpleNamespace(plan=self._plan, alone=not scene.in_room)
-        self.settings = SimpleNamespace(precision=None, slide_limit=SLIDE_LIMIT)
+        self.settings = SimpleNamespace(precision=None, slide_limit=SLIDE_LIMIT, all_runs=False)
 
     def plan(self, option: Any) -> Any:
         """Return the plan of the room."""

@@ -200,6 +200,10 @@ class Pool:
         return (result for _, result in self._results(calls, in_order=True))
 
     def _results(self, calls: Iterable[Callable[[], T]], *, in_order: bool) -> Generator[tuple[int, T]]:
+        if self._on_threads and self.width == 1 and current_thread() is not main_thread():
+            # another thread would do nothing but take its time to start
+            yield from ((number, call()) for number, call in enumerate(calls))
+            return
         todo = enumerate(calls)
         completed: dict[int, Future[T]] = {}
         yielded = 0

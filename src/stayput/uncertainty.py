@@ -8,6 +8,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
+from functools import lru_cache
 from types import MappingProxyType
 from typing import Any
 
@@ -245,15 +246,19 @@ class Uncertainty:
         within("common.seed", seed, 0, 2**63)
         if not self.marginals:
             return {}
-        named = (zlib.crc32(stream.encode()),) if stream else ()
-
-        def shares(name: str) -> NDArray[np.float64]:
-            keys = ((seed, motion, zlib.crc32(name.encode()), *named) for motion in range(streams))
-            raw = [random_bits(*key).random_raw(first + count)[first:] for key in keys]
-            return uniforms(np.array(raw, np.uint64))
-
-        drawn = {name: marginal.quantile(shares(name)) for name, marginal in self.marginals.items()}
+        drawn = {
+            name: marginal.quantile(_shares(seed, streams, name, stream, first + count)[:, first:])
+            for name, marginal in self.marginals.items()
+        }
         return drawn if motions is not None else {name: column[0] for name, column in drawn.items()}
+
+
+@lru_cache(maxsize=128)
+def _shares(seed: int, motions: int, name: str, stream: str, count: int) -> NDArray[np.float64]:
+    """Return so many draws of each motion as shares; the pieces of an inventory have the same."""
+    named = (zlib.crc32(stream.encode()),) if stream else ()
+    keys = ((seed, motion, zlib.crc32(name.encode()), *named) for motion in range(motions))
+    return uniforms(np.array([random_bits(*key).random_raw(count) for key in keys], np.uint64))
 
 
 def random_bits(*key: int) -> np.random.PCG64:

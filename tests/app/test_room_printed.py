@@ -22,7 +22,7 @@ LINKED = """(gap) => {
     links.append(Object.assign(document.createElement("a"), { href: `#${id}`, textContent: id }));
   };
   for (const table of document.querySelectorAll("main table")) {
-    let heading = table.previousElementSibling;
+    let heading = (table.closest(".wide") ?? table).previousElementSibling;
     while (heading.tagName === "P") heading = heading.previousElementSibling;
     if (!["H2", "H3"].includes(heading.tagName)) continue;
     target(heading, `heading-${names.length}`);

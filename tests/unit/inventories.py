@@ -105,7 +105,7 @@ def planned(folder: Path, file: Path, scenario: str = CITY, columns: Any = None)
             for site, storey in sites:
                 for unit, _, piece in store.units_at(site):
                     specs[unit], moved[unit] = piece, (ground_of(spec)[2] is not None, storey)
-    first = [row["units"][0] for row in rows]
+    first = [row["records"][0] for row in rows]
     return Plan(
         rows, rejects, [from_text(specs[unit])[0] for unit in first], facts, [moved[n] for n in first]
     )
@@ -129,7 +129,6 @@ def verified(
         "room": {"floor": floor, "left_wall": behind, "ceiling": {"height": 2.4}},
         "shaking": {"intensity": 6.0, "suite": suite, **(shaking or {})},
         "uncertainty": {"samples": 6, "seed": 1},
-        "dimensions": 2,  # as rows are run
         **tables,
     }
     return verify(sp.Scenario.parse(scenario), levels=(), progress=False, threads=1)

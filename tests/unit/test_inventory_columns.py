@@ -6,13 +6,13 @@ import json
 import re
 
 import pytest
-from inventories import CITY, planned
+from inventories import CITY, planned, table
 
 import stayput as sp
 from stayput.inventory.columns import COLUMNS, plain_name, read_columns
 from stayput.inventory.header import Header
 from stayput.inventory.plan import ROWS_LOOKED_AT
-from stayput.inventory.report import notes_told
+from stayput.inventory.report import engine_told
 from stayput.model.body import FURNITURE
 from stayput.model.room import SURFACES
 from stayput.vocabulary import WORDS
@@ -42,7 +42,8 @@ def test_a_japanese_table_is_read_as_it_is(tmp_path):
     assert [row["storey"] for row in rows] == [3, 2]
     depths = [(0.3, 1.8, 80.0), (0.45, 2.1, 65.0)]  # and not widths
     assert [sizes(body) for body in bodies] == depths
-    assert facts["columns not used"] == ["幅(mm)", "備考"]
+    assert facts["columns not used"] == ["備考"]
+    assert [body.length for body in bodies] == [0.9, 0.88]
     assert "width = 奥行(mm)" in facts["columns renamed"]
 
 
@@ -101,7 +102,7 @@ UNCLEAR = {
     "no unit": ("品名,奥行,高さ,重量\n棚,450,1800,60\n", "width=奥行[?],height=高さ[?],mass=重量[?]"),
     "width and depth": (
         "id,width,depth,height,mass\na,0.9,0.3,1.8,80\n",
-        "width=depth[?],ignore=width,height=height[?]",
+        "width=depth[?],length=width[?],height=height[?]",
     ),
     "only the width": ("品名,幅(mm),高さ(mm),重量(kg)\n棚,450,1800,60\n", "width=?,ignore=幅(mm)"),
     "like a count": ("品名,配置台数合計\n本棚,3\n", "count=配置台数合計"),
@@ -230,15 +231,36 @@ def test_a_cell_without_a_unit_among_those_that_have_one_is_refused(tmp_path):
         Header(["品名", "奥行", "高さ", "重量"], sample)
 
 
-def test_pieces_narrower_than_deep_are_counted(tmp_path):
+def test_the_size_along_the_wall_is_the_length(tmp_path):
+    """What cannot be read there refuses no row: such a piece is run in the plane, as one without a width."""
     text = "品名,幅(cm),奥行(mm),高さ(mm),重量(kg)\n"
-    text += "棚,30,450,1800,60\n棚,45,450,1800,60\n棚,?,450,1800,60\n棚,90,450,1800,60\n"
-    *_, facts = read(tmp_path, text)
-    assert facts["narrower than deep"] == 1
-    ((english, japanese),) = notes_told(facts)
-    assert english.startswith("Narrower than deep: 1 row. They may fall sideways")
-    assert "奥行方向（前後）の揺れだけ" in japanese
-    assert notes_told(facts | {"narrower than deep": 0}) == []
+    text += "".join(f"棚,{width},450,1800,60\n" for width in ("30", "?", "", "90", "900000"))
+    _, rejects, bodies, facts = read(tmp_path, text)
+    assert not rejects
+    assert [body.length for body in bodies] == [0.3, None, None, 0.9, None]
+    assert "length = 幅(cm)" in facts["columns renamed"]
+    assert facts["in the plane"] == 3
+    english, japanese = engine_told(facts)
+    assert english.startswith("Simulated in the plane of their depth: 3 rows, of which no length")
+    assert "奥行方向だけで計算した家具：3行" in japanese
+    assert engine_told(facts | {"in the plane": 0}) == ("", "")
+
+
+def test_a_piece_without_a_length_is_refused_where_it_cannot_be_in_the_plane(tmp_path):
+    rows = ["a,0.3,0.9,1.8,80", "b,0.3,,1.8,80"]
+    for number, stated in enumerate(("dimensions = 3\n", "near_side_wall = { gap = 0.1 }\n")):
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        scenario = (
+            stated + CITY if "dimensions" in stated else CITY.replace("[shaking]", f"{stated}[shaking]")
+        )
+        _, rejects, (body,), _, _ = planned(
+            folder, table(folder, rows, "id,width,length,height,mass"), scenario
+        )
+        assert body.length == 0.9
+        assert [each["id"] for each in rejects] == ["b"]
+        assert "length" in rejects[0]["reason"]
+        assert "length" in rejects[0]["reason_ja"] or "幅" in rejects[0]["reason_ja"]
 
 
 BAD_CELLS = {

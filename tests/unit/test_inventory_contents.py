@@ -89,7 +89,7 @@ def test_summary_report_and_command_tell_the_mean_over_what_has_contents(small, 
 
 def test_neither_threads_nor_tasks_change_a_bit(small, tmp_path, monkeypatch):
     monkeypatch.setattr("stayput.inventory.work.SECONDS", 0.001)
-    monkeypatch.setattr("stayput.inventory.work.MOST_RUNS", 6)
+    monkeypatch.setattr("stayput.inventory.work.MOST_UNITS", 1)
     assess(table(tmp_path, ROWS, HEADER), city(tmp_path), tmp_path / "out", threads=3, progress=False)
     assert digests(tmp_path / "out") == digests(small.folder)
 

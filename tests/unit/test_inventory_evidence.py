@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -14,9 +13,9 @@ from stayput.fragility.paired import difference
 from stayput.inventory import assess
 from stayput.inventory.report import UNTOLD, findings_told
 from stayput.inventory.results import Finding, choose, finding_of, least_motions, numbers_of
-from stayput.inventory.store import record_type
+from stayput.inventory.store import RECORD
 from stayput.inventory.summary import READ, Total
-from stayput.inventory.work import fill_record
+from stayput.inventory.work import fill_changes, fill_record
 from stayput.montecarlo.counting import EVENTS, Members, Outcomes
 
 
@@ -40,13 +39,21 @@ def of_runs(*columns):
 
 def chances(*rows, motions=100, samples=10):
     """Records of options by the shares of the runs in which each of `EVENTS` happens, the same first ones."""
-    records = np.zeros(len(rows), record_type(motions, samples))
     place = np.arange(motions * samples).reshape(motions, samples) / (motions * samples)
-    for number, row in enumerate(rows):
+    outcomes = list[Outcomes]()
+    for row in rows:
         overturned, slid, hit_wall, failed = (place < share - 1e-9 for share in row)
         given_up = np.full(place.shape, math.isnan(row[0]))
-        outcomes = of_runs(overturned, given_up, hit_wall, failed, 1.0 * slid, 0.0 * place)
-        fill_record(records[number : number + 1], outcomes, slide_limit=0.1)
+        outcomes.append(of_runs(overturned, given_up, hit_wall, failed, 1.0 * slid, 0.0 * place))
+    return records_of(outcomes)
+
+
+def records_of(outcomes):
+    """Records of options by their outcomes, that without a measure first."""
+    records = np.zeros(len(outcomes), RECORD)
+    for record, of_option in zip(records, outcomes, strict=True):
+        fill_record(record, of_option, 0.1)
+        fill_changes(record, of_option, outcomes[0], 0.1, len(outcomes) - 1)
     return records
 
 
@@ -82,11 +89,9 @@ def test_what_is_said_of_a_row_holds_over_its_intervals(motions, samples, withou
 
 def test_a_measure_without_a_change_run_by_run_is_not_best():
     fell, no, still = np.array([[1], [1], [0], [0]], bool), np.zeros((4, 1), bool), np.zeros((4, 1))
-    records = np.zeros(2, record_type(4, 1))
-    for place, slid in enumerate(([0, 1, 1, 1], [0, 0, 1, 1])):  # one that slid also fell
-        outcomes = of_runs(fell, no, no, no, np.array(slid, float)[:, None], still)
-        fill_record(records[place : place + 1], outcomes, slide_limit=0.1)
-    choice = choose(records, [0, 1], None, None)
+    slides = ([0, 1, 1, 1], [0, 0, 1, 1])  # one that slid also fell
+    outcomes = [of_runs(fell, no, no, no, np.array(slid, float)[:, None], still) for slid in slides]
+    choice = choose(records_of(outcomes), [0, 1], None, None)
     assert (choice.best, choice.event, choice.change) == (0, None, None)
 
 
@@ -96,16 +101,10 @@ def test_a_difference_is_that_of_a_verification_run_by_run():
     bare, held = rng.random((2, 30, 9)) < [[[0.4]], [[0.2]]]
     given_up, slid = rng.random((2, 30, 9)) < 0.05
     no, still = np.zeros((30, 9), bool), np.zeros((30, 9))
-    records = np.zeros(2, record_type(32, 20))  # another scenario has more
-    for place, fell in enumerate((bare, held)):
-        outcomes = of_runs(fell, given_up, no, no, 1.0 * slid, still)
-        fill_record(records[place : place + 1], outcomes, slide_limit=0.1)
-    choice = choose(records, [0, 1], None, None)
-    assert (choice.event, choice.change) == (
-        "overturned",
-        replace(difference(held, bare, given_up), missing=choice.change.missing),
-    )
-    assert choice.change.missing == given_up.sum() + 32 * 24 - 30 * 9
+    outcomes = [of_runs(fell, given_up, no, no, 1.0 * slid, still) for fell in (bare, held)]
+    choice = choose(records_of(outcomes), [0, 1], None, None)
+    change = difference(held, bare, given_up)
+    assert (choice.event, choice.change) == ("overturned", (change.estimate, change.low, change.high))
 
 
 @pytest.mark.parametrize(("falls", "slides"), [(0.3, 0.0), (0.4, 0.6), (-1.0, 0.3)])
@@ -113,19 +112,19 @@ def test_measures_that_do_nothing_are_seldom_said_to_help(falls, slides):
     """Chosen among eight by the runs that score it, the best of them seems to help every piece."""
     rng = np.random.default_rng(3)
     rows, sets, shape = 300, 8, (20, 5)
-    records = np.zeros(1 + sets, record_type(*shape))
     seeming = helped = by_cost = strong = 0
     for _ in range(rows):
         of_motion = rng.random((2, shape[0], 1)) - 0.5  # what the runs of a motion have in common
-        for place in range(1 + sets):
+        no, outcomes = np.zeros(shape, bool), list[Outcomes]()
+        for _ in range(1 + sets):
             fell, slid = rng.random((2, *shape)) + 0.4 * of_motion < [[[falls]], [[slides]]]
-            no = np.zeros(shape, bool)
-            fill_record(records[place : place + 1], of_runs(fell, no, no, no, 1.0 * slid, 0.0 * slid), 0.1)
+            outcomes.append(of_runs(fell, no, no, no, 1.0 * slid, 0.0 * slid))
+        records = records_of(outcomes)
         choice = choose(records, [0] + [1] * sets, [1.0] * sets, None)
         seeming += choice.change is not None
         helped += finding_of(row_of(records), choice) == Finding.HELPED
         by_cost += choice.by_cost > 0
-        fill_record(records[-1:], of_runs(no, no, no, no, 0.0 * slid, 0.0 * slid), 0.1)
+        records = records_of([*outcomes[:-1], of_runs(no, no, no, no, 0.0 * slid, 0.0 * slid)])
         choice = choose(records, [0] + [1] * sets, None, None)
         strong += (choice.best, finding_of(row_of(records), choice)) == (sets, Finding.HELPED)
     assert seeming > 0.8 * rows
@@ -161,7 +160,7 @@ def test_a_measure_is_best_only_where_it_helps(without, held, best):
             3,
             "too_few_runs",
             ("not enough runs to tell", "計算数が足りず判定できない"),
-            ("76 motions at least", "少なくとも76本の地震動が必要です"),
+            ("76 motions at least", "少なくとも76本の地震動が必要"),
         ),
     ],
 )

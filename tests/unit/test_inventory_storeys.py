@@ -44,7 +44,7 @@ def test_a_basement_moves_as_the_ground_and_a_roof_as_the_top(tmp_path):
     assert [row["building"] for row in rows] == [None, *["office"] * 8]
     ground, first, second, roof = (False, 1), (True, 1), (True, 2), (True, 5)
     assert moved == [ground, ground, ground, first, second, second, roof, roof, roof]
-    assert rows[0]["units"] == rows[1]["units"] == rows[2]["units"]  # and is simulated once
+    assert rows[0]["records"] == rows[1]["records"] == rows[2]["records"]  # and is simulated once
 
 
 def test_a_roof_is_called_so(tmp_path):

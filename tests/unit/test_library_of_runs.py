@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from copy import deepcopy
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -144,3 +145,25 @@ def test_a_run_made_again_is_the_one_that_was_counted(run: int) -> None:
         assert result["outcome"] != FAILED_OUTCOME
         assert piece.outcome == OUTCOMES[result["outcome"]]
         assert piece.peak_slide == pytest.approx(result["peak_slide"], abs=1e-9)
+
+
+def anchor(strength: float) -> sp.Measure:
+    """A bracket of one's own, whose class says nothing of its strength."""
+
+    @dataclass(frozen=True)
+    class Anchor(LBracket):
+        def elements(self, *around: Any) -> Any:
+            return LBracket(strength=strength).elements(*around)
+
+        def __repr__(self) -> str:
+            return "Anchor()"
+
+    return Anchor()
+
+
+def test_measures_of_ones_own_that_say_the_same_are_other_kinds() -> None:
+    scene = [sp.Scene([sp.Piece(sp.Body(**SHELF), measures=[anchor(force)])]) for force in (50.0, 5000.0)]
+    draws = SceneDraws(Scenario.parse(ROOM), 1)
+    weak, strong = (standings_of(each, draws)[0].kind.key for each in scene)
+    assert weak != strong
+    assert weak == standings_of(scene[0], draws)[0].kind.key

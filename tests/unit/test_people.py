@@ -1,4 +1,6 @@
-"""Who is crushed, hit and touched: by hand-made runs of a room."""
+"""Who is crushed, hit and touched: by hand-made runs of a room, and along the tracks of a real one."""
+
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,6 +13,9 @@ from stayput.model.floor_plan import FloorPlan, PersonPlace
 from stayput.montecarlo.counting import Members
 from stayput.montecarlo.runs import Runs
 from stayput.report.room.report import room_html
+from stayput.simulation import groups
+from stayput.simulation.groups import Track
+from stayput.verification.events import happens_in
 from stayput.verification.people import CRUSHING_ENERGY, people_of
 
 PIECES = [("bookcase", 90.0), ("fridge", 70.0), ("lamp", 3.0), ("chest", 40.0)]
@@ -86,3 +91,22 @@ def test_a_room_without_persons_says_nothing_of_them():
         visible = [*texts[:2], " ".join(Page(texts[2]).words.split())]
         assert not [word for word in words if any(word in text for text in visible)]
     assert "hit_with" not in verdict.to_csv()
+
+
+def test_what_happens_in_a_run_is_seen_of_its_pieces_as_they_turned(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of a body whose principal axes are not those of its frame too."""
+    tracks, tracks_of = list[Track](), groups.tracks_of
+
+    def noted(*of_run: Any) -> list[Track]:
+        tracks.extend(tracks_of(*of_run))
+        return tracks
+
+    monkeypatch.setattr(groups, "tracks_of", noted)
+    own = np.array([[6.0, 1.5, 0.0], [1.5, 5.0, 0.0], [0.0, 0.0, 5.0]])
+    box = sp.Body.box(0.4, 0.6, 1.2, 50.0, inertia=own)
+    scene = sp.Scene([sp.Piece(box, (1.0, 1.0, 0.0))], plan=sp.FloorPlan(2.0, 2.0))
+    run = sp.simulate(scene, sp.synthetic_suite(count=1)[0].to_intensity("7"))
+    happens_in(run)
+    (track,) = tracks
+    assert len(track.sample) > 10
+    np.testing.assert_array_equal(track.turn, run.turn[0][track.sample])

@@ -21,10 +21,8 @@ from stayput.montecarlo.counting import SLIDE_LIMIT, Members
 from stayput.montecarlo.scene_draws import SceneDraw, drawn_shaking
 from stayput.report.room.report import room_markdown, simulations_of_room
 from stayput.report.verdict.data import verdict_data
-from stayput.simulation import groups
-from stayput.simulation.groups import Track, groups_at_first
+from stayput.simulation.groups import groups_at_first
 from stayput.verification.changes import Change, loose_pieces, refuse_unheld, with_changes
-from stayput.verification.events import happens_in
 from stayput.verification.option_runner import OptionRunner
 from stayput.verification.options import TRIED_ALONE
 from stayput.verification.room_words import (
@@ -355,7 +353,7 @@ def test_a_verdict_of_one_motion_says_so():
     assert "runs of this one motion the bookcase falls on" in english
     assert "earthquakes" not in english
     assert japanese.startswith("震度6強の揺れでは、この1つの地震動による計算")
-    assert "under this one motion: 4 as it is and with each change" in simulations_of_room(alone, "en")
+    assert "4 times as it is and with each change" in simulations_of_room(alone, "en")
     assert "in these runs nobody is hit; somebody may be in under " in quiet.sentence()
     assert "人に当たる家具はありません（この1つの地震動による計算の" in quiet.sentence("ja")
 
@@ -488,22 +486,3 @@ def test_pieces_that_meet_run_together_and_what_stands_apart_changes_no_bit():
     assert np.array_equal(bare, with_far)
     assert np.array_equal(with_chest, with_both)
     assert not np.array_equal(bare, with_chest)
-
-
-def test_what_happens_in_a_run_is_seen_of_its_pieces_as_they_turned(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of a body whose principal axes are not those of its frame too."""
-    tracks, tracks_of = list[Track](), groups.tracks_of
-
-    def noted(*of_run: Any) -> list[Track]:
-        tracks.extend(tracks_of(*of_run))
-        return tracks
-
-    monkeypatch.setattr(groups, "tracks_of", noted)
-    own = np.array([[6.0, 1.5, 0.0], [1.5, 5.0, 0.0], [0.0, 0.0, 5.0]])
-    box = sp.Body.box(0.4, 0.6, 1.2, 50.0, inertia=own)
-    scene = sp.Scene([sp.Piece(box, (1.0, 1.0, 0.0))], plan=sp.FloorPlan(2.0, 2.0))
-    run = sp.simulate(scene, sp.synthetic_suite(count=1)[0].to_intensity("7"))
-    happens_in(run)
-    (track,) = tracks
-    assert len(track.sample) > 10
-    np.testing.assert_array_equal(track.turn, run.turn[0][track.sample])

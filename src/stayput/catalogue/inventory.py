@@ -1,7 +1,6 @@
 """Inventories of furniture."""
 
 TEXTS: dict[str, tuple[str, str]] = {
-    "in_the_plane": ("2 or left out, for an inventory", "一覧の評価では2（または省略）"),
     # the call
     "memory": ("Memory", "メモリ"),
     "the": ("The {what}", "{what}"),

@@ -2,11 +2,11 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     "title": ("Furniture at risk", "家具の転倒危険度"),
-    "in_plane": (("For the sake of their number pieces are simulated in the plane of their depth: the "
-                  "shaking along their length is left out, and measures that hold here may fail in a real "
-                  "earthquake."),
-                 ("数が多いため、各家具を奥行き方向だけで計算しています。幅の方向の揺れは含まれず、"
-                  "ここでは持ちこたえる対策も、実際の地震では外れることがあります。")),
+    "in_plane": (("Simulated in the plane of their depth: {rows}, of which no length along the wall is "
+                  "known, or as the scenario says. The shaking along their length is left out, and measures "
+                  "that hold here may fail in a real earthquake."),
+                 ("奥行方向だけで計算した家具：{rows}（幅が分からないか、シナリオの指定による）。"
+                  "幅の方向の揺れは含まれず、ここでは持ちこたえる対策も、実際の地震では外れることがあります。")),
     # Numbers
     "share": ("{value} %", "{value}%"),
     "given_up": ("all runs were given up", "すべての計算を打ち切り"),
@@ -42,10 +42,11 @@ TEXTS: dict[str, tuple[str, str]] = {
                               "{pieces}では、対策の指定がないため、対策を比較していません。"),
     "too_few_runs_counted": (("For {pieces} there are not enough runs to tell whether a measure is needed "
                               "or helps; to show that less than {safe} % overturn or slide too far takes "
-                              "{least} motions at least."),
+                              "{least} motions at least, and runs under all of them (precision = 0.03)."),
                              ("{pieces}は、計算数が足りず、"
                               "対策の要否や効果を判定できません（転倒や大きな移動が{safe}%未満であると示す"
-                              "には、少なくとも{least}本の地震動が必要です）。")),
+                              "には、少なくとも{least}本の地震動が必要で、そのすべてで計算します"
+                              "（precision = 0.03））。")),
     "expected_loss": ("Expected loss {loss}, with the best measures {best} (of what has a value{unstated}).",
                       ("損失の見込みは{loss}、最も有効な対策をとると{best}です（損失額の入力があるものだけ"
                        "の合計{unstated}）。")),
@@ -55,10 +56,6 @@ TEXTS: dict[str, tuple[str, str]] = {
                    "{pieces}の収納物のうち{share}が飛び出す見込みです。最も有効な対策をとると{best}です。"),
     "nothing_known": ("Of {pieces} nothing is known: all runs were given up.",
                       "{pieces}はすべての計算を打ち切ったため、結果が分かりません。"),
-    "narrow": (("Narrower than deep: {rows}. They may fall sideways; only shaking from front to back is "
-                "assessed."),
-               ("幅が奥行より小さい家具：{rows}。横に倒れることもありますが、"
-                "奥行方向（前後）の揺れだけを評価しています。")),
     "without_mass": ("Without a mass: {rows}. It does not matter to how a free piece moves.",
                      "重量のない家具：{rows}。固定していない家具の動きは重量によりません。"),
     "fixed": (("Fixed already by {name}, L-brackets where that alone is said: {rows}. “Without a measure” "

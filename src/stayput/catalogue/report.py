@@ -77,13 +77,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     "fragility": ("How strong may the shaking be?", "どの強さの揺れまで耐えるか"),
     "fragility_text": (("Share that overturns against the intensity, without a measure and with at "
                         "most the seven best. The marks are what was counted at each level, with 95 % "
-                        "intervals as bars, moved apart sideways to be seen; the lines join the nearest "
-                        "rising shares (isotonic regression: no shape is assumed); the bands are 95 % "
-                        "intervals, as with other motions of the same kind. Of more than three curves the "
-                        "first two have bands and bars."),
+                        "intervals as bars, moved apart sideways to be seen; the lines are fits to all "
+                        "runs (logit); the bands are their 95 % intervals, as with other motions of the "
+                        "same kind. Of more than three curves the first two have bands and bars."),
                        ("計測震度に対する転倒の割合です（対策なしと上位7つまでの対策）。印は各レベルで数えた割合、"
                         "細い縦線はその95%区間（重ならないよう左右にずらしています）、"
-                        "線は増加のみを仮定した当てはめ（単調回帰）、"
+                        "線はすべての計算への当てはめ（ロジット曲線）、"
                         "帯は同じ種類の別の地震動も考えた95%区間です（曲線が4本以上なら最初の2本のみ）。")),
     "fragility_alt": (("Curves of the share that overturns over the intensity, one for each measure; the "
                        "numbers are in the table of the measures."),

@@ -163,6 +163,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "more_blocked": ("door clearly blocked more often", "明らかにドアがふさがりやすくなる"),
     "fewer_overturned": ("clearly overturns less often", "明らかに倒れにくくなる"),
     "more_overturned": ("clearly overturns more often", "明らかに倒れやすくなる"),
-    "simulations": ("{runs} runs of the room under {motions}: {each} as it is and with each change.",
-                    "部屋の計算{runs}回：{motions}、現状と変更ごとに{each}回。"),
+    "simulations": (("{runs} runs of the pieces under {motions}, of which the room is composed: {each} times "
+                     "as it is and with each change."),
+                    "家具の計算{runs}回（{motions}）。部屋は、これを組み合わせて現状と変更ごとに{each}回計算しています。"),
 }

@@ -147,6 +147,8 @@ def _print_room(verdict: Verdict, lang: str) -> None:
             paragraph(say("rooms.upper_bounds", lang))
     if more := len(verdict.others) - len(listed):
         paragraph(say("rooms.more_changes", lang, count=more))
+    for note in verdict.notes(lang):
+        paragraph(note)
     paragraph(simulations_of_room(verdict, lang))
 
 

@@ -125,6 +125,19 @@ def text_of(name: str, cell: Cell, longest: int = 200) -> str | None:
     return text
 
 
+LENGTHS = (0.01, 10.0)
+"""Sizes of a piece [m]; beyond, a number is in another unit than is stated."""
+
+
+def length_or_none(cell: Cell, *, stated: NumberUnit | None, decimal_comma: bool) -> float | None:
+    """Return a size along the wall [m]; None where it is none: without it a piece is run in the plane."""
+    try:
+        value = number_of("length", cell, "m", stated, decimal_comma)
+    except InputError:
+        return None
+    return value if value is not None and LENGTHS[0] <= value <= LENGTHS[1] else None
+
+
 def number_of(
     name: str, cell: Cell, unit: str = "", stated: NumberUnit | None = None, decimal_comma: bool = False
 ) -> float | None:
@@ -319,3 +332,25 @@ def storey_meant(cell: Cell) -> Cell:
     """Return the storey of a cell as `storey_called` does; any cell that is none as it is."""
     storey = storey_called(cell) if isinstance(cell, str) else None
     return cell if storey is None else storey
+
+
+DEEPEST = 9
+"""Lowest basement that there may be."""
+
+
+def storey_of(cell: Cell, highest: int) -> int | None:
+    """Return the storey of a cell, below 0 in a basement; None where it is empty.
+
+    Raises
+    ------
+    InputError
+        No storey, or one that a building of so many does not have.
+    """
+    if cell == ROOF:
+        return highest
+    if is_empty(cell):
+        return None
+    storey = None if isinstance(cell, str) and number_or_none(cell) is None else number_of("storey", cell)
+    if storey is None or not (1 <= storey <= highest or -DEEPEST <= storey <= -1) or storey % 1:
+        raise InputError("inventory.storey", "storey", value=shown(cell), highest=highest, deepest=DEEPEST)
+    return int(storey)

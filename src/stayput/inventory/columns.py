@@ -1,8 +1,8 @@
 """The columns of an inventory: what tables in use call them, the units of their numbers, and ``--columns``.
 
 Furniture is measured in width, depth and height, as it is seen from the front; a piece falls to its front.
-So the column ``width``, the size along the shaking, is what an inventory calls the depth (奥行), and what an
-inventory calls the width (幅), the size along the wall, is not used.
+So the column ``width``, the size along the shaking, is what an inventory calls the depth (奥行), and
+``length`` is what an inventory calls the width (幅), the size along the wall.
 """
 
 from __future__ import annotations
@@ -57,6 +57,7 @@ COLUMNS: dict[str, Column] = {
     )),
     "preset": Column("", ("プリセット",)),
     "width": Column("m", ("depth", "d", "outer depth", "奥行", "奥行き", "奥行寸法")),
+    "length": Column("m"),
     "height": Column("m", ("h", "outer height", "高さ", "高", "全高", "高さ寸法")),
     "mass": Column("kg", ("weight", "wt", "重量", "質量", "重さ", "製品重量", "本体重量", *TOTAL_MASSES)),
     "cg_offset": Column("m"),
@@ -101,7 +102,7 @@ LISTS = ("cg_offset", "load", "costs", "floor")
 """Columns whose cells hold numbers with semicolons between them."""
 
 WIDTHS = ("width", "w", "outer width", "幅", "巾", "横幅", "間口", "幅寸法")
-"""What inventories call the size along the wall where nothing else can be meant."""
+"""What inventories call the size along the wall, beside a depth."""
 
 ALONG_THE_WALL = (*WIDTHS, "length", "l", "長さ")
 """What inventories call the size along the wall, which is across the shaking."""

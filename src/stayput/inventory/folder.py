@@ -20,7 +20,7 @@ import stayput
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, not_allowed, reason_of
 
-FORMAT = 11
+FORMAT = 12
 """Changes with the files' layout or meaning."""
 
 MANIFEST, WORK, LOCK = "manifest.json", "work", ".lock"

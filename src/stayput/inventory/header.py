@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from contextlib import suppress
 from difflib import get_close_matches
 from functools import partial
 
@@ -92,6 +91,7 @@ class Header:
         self._take_known()
         self._take_rest()
         self._ask_for_units()
+        self._take_length()
         self._refuse_what_is_unclear()
         self.places = {name: self.places[name] for name in column.COLUMNS if name in self.places}
         self.called = {n: names[place] for n, place in self.places.items() if names[place].lower() != n}
@@ -102,19 +102,6 @@ class Header:
             if name in self.called or unit is not None:
                 stated = "" if unit is None or written else f" [{unit.name}]"
                 self.renamed.append(f"{name} = {names[place][:60]}{stated}")
-
-    def width_of(self, row: Sequence[reading.Cell]) -> float | None:
-        """Return the size of a row's piece along the wall [m], or None where the row does not say it.
-
-        It tells a piece that is narrower than deep. One without a unit has the depth's.
-        """
-        for place, part in enumerate(self.parts):
-            if place not in self.places.values() and part.base in column.WIDTHS:
-                unit = column.UNITS["m"].get(part.unit) or self.units.get("width")
-                with suppress(InputError):  # the column is not used otherwise: a row is not refused for it
-                    return reading.number_of("width", row[place], "m", unit, self.decimal_comma)
-                return None
-        return None
 
     def cells(self, row: Sequence[reading.Cell]) -> dict[str, reading.Cell]:
         """Return the known cells of a row by their columns.
@@ -174,7 +161,7 @@ class Header:
         first = self.places[name]
         total, first_total = (self.parts[each].base in column.TOTALS for each in (place, first))
         if name == "width" and self.names[first].lower() == name and self.units[name] is None:
-            settled = f"{self._proposed('width', place)},{column.IGNORE}={self.names[first]}"
+            settled = f"{self._proposed('width', place)},{self._proposed('length', first)}"
             self._doubt("width", place, settled, width=reading.shown(self.names[first]))
             if not _is_own(column.UNITS["m"].get(self.parts[place].unit)):
                 self.without_unit.add(name)
@@ -244,8 +231,21 @@ class Header:
                 self._doubt("size", place, f"?={header}")
             elif not across and get_close_matches(base.replace(" ", "_"), column.COLUMNS, 1, LIKENESS):
                 raise unknown("inventory_tables.column_name", header, column.COLUMNS, header)
-            else:
+            elif not across:
                 self.unused.append(header[:200])
+
+    def _take_length(self) -> None:
+        """Take the first size along the wall, where no column is called so by stayput's name or the mapping.
+
+        One without a unit has the depth's.
+        """
+        along = [place for place in self.free if self.parts[place].base in column.ALONG_THE_WALL]
+        known = "length" in self.places or "width" not in self.places
+        self.along = [] if known else along[:1]
+        for place in self.along:
+            unit = column.UNITS["m"].get(self.parts[place].unit)
+            self.places["length"], self.units["length"] = place, unit or self.units["width"]
+        self.unused += [self.names[place][:200] for place in along if place not in self.along]
 
     def _look_at_cells(self) -> None:
         """Doubt what the cells speak against: storeys for a surface, totals for the value of one piece."""
@@ -307,6 +307,8 @@ class Header:
         if reader := {"storey": reading.storey_meant, "fixed": reading.fixing_known}.get(name):
             return [reader]
         kind, unit = column.COLUMNS[name].unit, self.units[name]
+        if name == "length" and self.places[name] in self.along:
+            return [partial(reading.length_or_none, stated=unit, decimal_comma=self.decimal_comma)]
         readers: list[reading.CellReader] = []
         if name in self.in_own_units:
             readers.append(partial(reading.refuse_without_unit, name))

@@ -13,17 +13,26 @@ from cachetools import LRUCache
 
 from stayput.catalogue import phrase
 from stayput.contents.contents import Contents, emptied
-from stayput.errors import InputError, not_allowed, too_many, unknown, visible, whole_within, within
+from stayput.errors import (
+    InputError,
+    no_length,
+    not_allowed,
+    too_many,
+    unknown,
+    visible,
+    whole_within,
+    within,
+)
 from stayput.inventory.cells import (
-    ROOF,
+    LENGTHS,
     Cell,
     Unusable,
     is_empty,
     number_of,
-    number_or_none,
     numbers_of,
     plain,
     shown,
+    storey_of,
     text_of,
 )
 from stayput.inventory.columns import TOTAL_ROW, plain_name
@@ -32,7 +41,7 @@ from stayput.inventory.store import ground_spec
 from stayput.measures import MEASURES, Measure, hold
 from stayput.measures.measure import refuse_conflicts
 from stayput.model.room import WALLS, Floor, Room, Wall
-from stayput.model.state import State, refuse_bad_start
+from stayput.model.state import refuse_bad_start
 from stayput.saved import to_text
 from stayput.scenario.pieces import PieceTable
 from stayput.vocabulary import plain_word
@@ -48,12 +57,9 @@ MOST_CACHED = 100_000
 MOST_OPTIONS = 20
 """Most sets of measures that a row compares."""
 
-DEEPEST = 9
-"""Lowest basement that there may be."""
-
-OF_THE_BODY = ("preset", "width", "height", "mass", "cg_offset", "load")
+OF_THE_BODY = ("preset", "width", "length", "height", "mass", "cg_offset", "load")
 OF_THE_ROOM = ("floor", "gap", "wall", "fixed", "measures")
-SIZES = {"width": (0.01, 10.0, "m"), "height": (0.01, 10.0, "m"), "mass": (0.1, 50_000.0, "kg")}
+SIZES = {**dict.fromkeys(("width", "length", "height"), (*LENGTHS, "m")), "mass": (0.1, 50_000.0, "kg")}
 """What a piece of an inventory may have; beyond, its numbers are in another unit than is stated."""
 
 OF_THE_CONTENTS = ("contents", "doors", "drawers", "lip", "load")
@@ -103,8 +109,6 @@ class Exposure:
     ----------
     row : dict
         What the plan's row says of it.
-    depth : float
-        Depth of the piece [m].
     ground : str
         Spec of the shaking of its building.
     storey : int
@@ -116,7 +120,6 @@ class Exposure:
     """
 
     row: dict[str, Any]
-    depth: float
     ground: str
     storey: int
     piece: str
@@ -184,6 +187,7 @@ class RowReader:
         costs = numbers_of("costs", cells.get("costs"))
         about = {"row": row, "id": piece, "name": name_of(cells.get("name")), "count": count}
         about |= {"value": value, "lat": lat, "lon": lon, "weighed": weighed}
+        about["in_plane"] = body.length is None or self.scenarios.in_plane
         exposures: list[Exposure] = []
         for event, station, level in self.scenarios.events_at(lat, lon):
             label, building, storey = self._building(cells, station)
@@ -210,7 +214,7 @@ class RowReader:
             ground = self.grounds.result(place, partial(ground_spec, station, level, building))
             moves_with = max(storey, 1)  # a basement moves as the ground does
             held = [specs[n] for n in possible]
-            exposures.append(Exposure(here, body.width, ground, moves_with, spec, held))
+            exposures.append(Exposure(here, ground, moves_with, spec, held))
         for cost in costs:
             within("costs", cost, 0.0, 1e15, field="costs")
         return exposures
@@ -227,14 +231,17 @@ class RowReader:
 
         def make() -> tuple[str, dict[str, str], dict[str, dict[str, str]], str | None]:
             room = room_of(cells, scenario)
-            refuse_bad_start(body, room, State())
+            if body.length is None and (scenario.stated_dimensions == 3 or room.has_side_walls):
+                raise no_length("length")
+            refuse_bad_start(body, room, scenario.initial.state())
             options, fixed = options_of(cells, scenario), fixing_of(cells, scenario)
+            dimensions = 2 if body.length is None or self.scenarios.in_plane else 3
             not_possible: dict[str, dict[str, str]] = {}
             for name, measures in options.items():
                 refuse_conflicts(measures)
                 try:
                     refuse_conflicts((*fixed, *measures))
-                    held = hold(body, room, _ordered((*fixed, *measures)))
+                    held = hold(body, room, _ordered((*fixed, *measures)), dimensions=dimensions)
                     if not weighed and (held.elements or held.body != body):
                         raise InputError("inventory.without_mass", "mass")
                 except InputError as error:  # no wall behind, no ceiling, an anchor above the ceiling
@@ -366,24 +373,6 @@ def _floor(value: str | float, default: Floor) -> Floor:
     if len(pair) != 2:
         raise not_allowed("floor", shown(value), "inventory.floor", "floor")
     return Floor(*pair, **losses)
-
-
-def storey_of(cell: Cell, highest: int) -> int | None:
-    """Return the storey of a cell, below 0 in a basement; None where it is empty.
-
-    Raises
-    ------
-    InputError
-        No storey, or one that a building of so many does not have.
-    """
-    if cell == ROOF:
-        return highest
-    if is_empty(cell):
-        return None
-    storey = None if isinstance(cell, str) and number_or_none(cell) is None else number_of("storey", cell)
-    if storey is None or not (1 <= storey <= highest or -DEEPEST <= storey <= -1) or storey % 1:
-        raise InputError("inventory.storey", "storey", value=shown(cell), highest=highest, deepest=DEEPEST)
-    return int(storey)
 
 
 def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> dict[str, tuple[Measure, ...]]:

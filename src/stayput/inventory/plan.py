@@ -41,7 +41,7 @@ MAY_BE_EMPTY = ("id", *SIZES, "count", "fixed")
 
 COUNTED = (
     *("rows", "empty rows", "rejects", "pieces", "choices", "parts"),
-    *("with coordinates", "narrower than deep", "without mass"),
+    *("with coordinates", "in the plane", "without mass"),
 )
 """What is counted in a plan, as its facts name it."""
 
@@ -130,7 +130,7 @@ def make_plan(
                     raise cells
                 known = header.cells(cells)
                 exposures = reader.exposures(number, known)
-                piece, depth = exposures[0].row, exposures[0].depth
+                piece = exposures[0].row
                 before = store.row_of(piece["id"], number)
                 if before != number:
                     other = phrase("inventory.row", row=before)
@@ -142,17 +142,16 @@ def make_plan(
                 rejects.add(line, error.code, error.field)
                 continue
             for each in exposures:
-                units = store.units_of(each.ground, each.storey, each.piece, each.options)
-                counts["choices"] += len(units)
-                buffered.append({**each.row, "units": units})
+                records = store.records_of(each.ground, each.storey, each.piece, each.options)
+                counts["choices"] += len(records)
+                buffered.append({**each.row, "records": records})
             not_put = chain.from_iterable(each.row["not_possible"] for each in exposures)
             for named in {each["name"]: each for each in not_put}.values():
                 cause = (number, piece["id"], piece["name"], named["reason"], named["reason_ja"])
                 impossible.add(cause, named["name"], named["code"])
-            width = header.width_of(cells)
             counts["pieces"] += 1
             counts["with coordinates"] += piece["lat"] is not None
-            counts["narrower than deep"] += width is not None and 0.0 < width < depth
+            counts["in the plane"] += piece["in_plane"]
             counts["without mass"] += not piece["weighed"]
             if piece["fixed"] is not None:
                 fixed.add((number, piece["id"], piece["name"], None, None), piece["fixed"])
@@ -176,7 +175,7 @@ def make_plan(
                 "currency": next(
                     (unit.currency for unit in map(header.units.get, ("value", "costs")) if unit), ""
                 ),
-                "units": store.next_unit,
+                "units": store.next_record,
                 "read as": table.read_as,
                 "columns not used": header.unused,
                 "columns renamed": header.renamed,

@@ -103,11 +103,16 @@ def reason_told(finding: Mapping[str, Any]) -> Phrase:
 
 def notes_told(facts: Mapping[str, Any]) -> list[Phrase]:
     """Return what is special about some rows: their shape, mass and fixing, and measures not possible."""
-    counts = {"narrow": facts["narrower than deep"], "without_mass": facts["without mass"]}
-    notes = [tell(key, rows=rows_counted(rows)) for key, rows in counts.items() if rows]
-    return (
-        notes + each_told("fixed", facts["fixed"]) + each_told("not_possible", facts["measures not possible"])
-    )
+    rows = facts["without mass"]
+    notes = [tell("without_mass", rows=rows_counted(rows))] if rows else []
+    notes += each_told("fixed", facts["fixed"])
+    return notes + each_told("not_possible", facts["measures not possible"])
+
+
+def engine_told(facts: Mapping[str, Any]) -> Phrase:
+    """Return which pieces are run in the plane, and what that leaves out; nothing where none are."""
+    rows = facts["in the plane"]
+    return tell("in_plane", rows=rows_counted(rows)) if rows else NOTHING
 
 
 def each_told(key: str, findings: Sequence[Mapping[str, Any]]) -> list[Phrase]:
@@ -269,7 +274,7 @@ def printed_lines(
     """
     rows, pieces = rows_counted(facts["rows"]), f"{facts['pieces']:,}"
     read = tell("printed_read", rows=rows, how=read_as(facts), pieces=pieces)
-    lines = [tell("in_plane"), read, *_columns_told(facts)]
+    lines = [engine_told(facts), read, *_columns_told(facts)]
     if facts["rejects"]:
         lines.append(tell("printed_rejects", rows=rows_counted(facts["rejects"])))
     lines += [*each_told("reason_of_rows", facts["rejects alike"]), empty_told(facts)]
@@ -407,6 +412,7 @@ def report_html(
         "worst": [_piece(row, roofs, facts["currency"]) for row in summary.worst],
         "contents": contents,
         "by_cost": any(row["best_by_cost"] is not None for row in summary.worst),
+        "engine": engine_told(facts),
         "notes": notes_told(facts),
         "rejects": [
             {

@@ -7,27 +7,24 @@ from collections.abc import Callable, Mapping
 from enum import StrEnum
 from functools import cache
 from pathlib import Path
-from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stayput.files import arrow
-from stayput.fragility.paired import Difference, difference, score_interval
+from stayput.fragility.paired import score_interval
 from stayput.fragility.probabilities import CONFIDENCE, probability_of_counts
 from stayput.inventory.folder import Workspace, digest_of
 from stayput.inventory.items import NO_MEASURE
-from stayput.montecarlo.counting import EVENTS, OVERTURNED, RANKING_ORDER, SLID, severity
+from stayput.inventory.store import GROUND
+from stayput.montecarlo.counting import EVENTS, OVERTURNED, RANKING_ORDER, RANKING_RESOLUTION, SLID
 from stayput.verification.words import SAFE, SMALL
 
 if TYPE_CHECKING:
     from stayput.inventory.work import Work
 
 PIECES = "pieces"
-GROUND = ("intensity", "sa", "pga", "pgv")
-"""How strongly the ground shakes."""
-
 ENDS = ("", "_low", "_high")
 """An estimate, and the ends of its interval."""
 
@@ -158,6 +155,14 @@ def schema(metadata: Mapping[str, str]) -> Any:
     return pa.schema(fields, metadata=dict(metadata))
 
 
+class RiskChange(NamedTuple):
+    """How much likelier an event is with an option than without a measure, run by run."""
+
+    estimate: float
+    low: float
+    high: float
+
+
 class Choice(NamedTuple):
     """The best of a row's options by risk, and by cost with its gain; options by their place.
 
@@ -166,17 +171,14 @@ class Choice(NamedTuple):
 
     best: int
     event: str | None
-    change: Difference | None
+    change: RiskChange | None
     by_cost: int | None
     gain: float | None
 
 
-def _change(records: NDArray[np.void], option: int, event: str) -> Difference:
+def _change(records: NDArray[np.void], option: int, event: str) -> RiskChange:
     """Return how much likelier an event, or overturning, is with an option than without, run by run."""
-    each = np.unpackbits(records["each"][[option, 0]], axis=-1).view(np.bool_)
-    happened = each[:, EVENTS.index(event)] | each[:, EVENTS.index(OVERTURNED)]
-    given_up = each[:, -1].any(axis=0)
-    return difference(happened[0], happened[1], given_up, comparisons=len(records) - 1)
+    return RiskChange(*records["change"][option, EVENTS.index(event)].tolist())
 
 
 def choose(
@@ -184,16 +186,16 @@ def choose(
 ) -> Choice:
     """Choose among options, that without a measure first.
 
-    By risk: ranked by `stayput.montecarlo.counting.severity`, where a piece that overturns is as bad as one
-    that also slid or hit a wall: the other events count only beyond the probability of overturning. A
-    measure that ranks no better than none, or overturns more often by however little, is not taken: then
-    none of them helps.
+    By risk: by how much less likely than without a measure the events of `RANKING_ORDER` are, run by run,
+    since options may have other numbers of runs; a piece that overturns is as bad as one that also slid or
+    hit a wall. A measure that does no better than none, or with which it overturns more often by however
+    little, is not taken: then none of them helps.
     By cost: with a value, the largest loss avoided less cost; else the largest fall of the probability of
     overturning for its cost. Only an option with which it clearly overturns less often is taken.
 
     Parameters
     ----------
-    records : ndarray of `stayput.inventory.store.record_type`
+    records : ndarray of `stayput.inventory.store.RECORD`
         Outcomes of the options.
     sizes : list of int
         Number of measures of each.
@@ -202,25 +204,22 @@ def choose(
     value : float, optional
         Loss if a piece overturns.
     """
-    shares = records["chances"][:, :, 0]
-    beyond = np.fmax(shares, shares[:, [EVENTS.index(OVERTURNED)]])
-    ranks = [
-        severity({e: SimpleNamespace(estimate=p) for e, p in zip(EVENTS, row, strict=True)}, size)  # type: ignore[dict-item]
-        for row, size in zip(beyond.tolist(), sizes, strict=True)
-    ]
-    fallen = shares[:, EVENTS.index(OVERTURNED)]
-    no_worse = [n for n in range(len(ranks)) if not fallen[n] > fallen[0]]
-    best = min(no_worse, key=lambda n: (ranks[n], n))
-    if not ranks[best][:-1] < ranks[0][:-1]:
-        best = 0
-    compared = zip(RANKING_ORDER, ranks[best], ranks[0], strict=False)
-    event = next((event for event, held, bare in compared if held < bare), None)
+    ordered = [EVENTS.index(event) for event in RANKING_ORDER]
+    changes: NDArray[np.float64] = records["change"][:, ordered, 0]
+    changes[0] = 0.0
+    known = np.isfinite(changes.sum(axis=1))
+    steps: list[list[float]] = np.round(
+        np.where(known[:, np.newaxis], changes, 1.0) / RANKING_RESOLUTION
+    ).tolist()
+    no_worse = [n for n in range(len(steps)) if not changes[n, 0] > 0.0]
+    best = min(no_worse, key=lambda n: (*steps[n], sizes[n], n))
+    event = next((event for event, step in zip(RANKING_ORDER, steps[best], strict=True) if step), None)
     change = None if event is None else _change(records, best, event)
-    if change is not None and not change.estimate < 0.0:  # as where a piece that slid also overturned
+    if change is None or not change.estimate < 0.0:
         best, event, change = 0, None, None
     if costs is None:
         return Choice(best, event, change, None, None)
-    seen = fallen[0] - fallen[1:]
+    seen = -changes[1:, 0]
     clear = [gain > 0.0 and _change(records, n, OVERTURNED).high < 0.0 for n, gain in enumerate(seen, 1)]
     avoided = np.where(clear, seen, 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -292,14 +291,14 @@ def write_results(
 
 def _lines(rows: list[dict[str, Any]], work: Work) -> list[dict[str, Any]]:
     """Return the rows of a part of the results from those of the plan."""
-    wanted = np.unique(np.concatenate([row["units"] for row in rows]).astype(np.int64))
+    wanted = np.unique(np.concatenate([row["records"] for row in rows]).astype(np.int64))
     records = work.outcomes.of(wanted)
     chosen: dict[Any, tuple[Choice, list[dict[str, Any]]]] = {}
     lines: list[dict[str, Any]] = []
     for row in rows:
-        key = (tuple(row["units"]), tuple(row["options"]), tuple(row["costs"] or ()), row["value"])
+        key = (tuple(row["records"]), tuple(row["options"]), tuple(row["costs"] or ()), row["value"])
         if key not in chosen:
-            option_records = records[np.searchsorted(wanted, row["units"])]
+            option_records = records[np.searchsorted(wanted, row["records"])]
             sizes = [0 if name == NO_MEASURE else 1 + name.count("+") for name in row["options"]]
             choice = choose(option_records, sizes, row["costs"], row["value"])
             chosen[key] = choice, [numbers_of(record) for record in option_records]

@@ -134,6 +134,11 @@ class Scenarios:
         """Intensity measure of the ground's levels: the map's, else JMA's intensity."""
         return JMA_INTENSITY if self.shakemap is None else self.shakemap.measure
 
+    @property
+    def in_plane(self) -> bool:
+        """Whether a scenario says that pieces are run in the plane."""
+        return any(file.scenario.stated_dimensions == 2 for file in self.all)
+
     def events_at(self, lat: float | None, lon: float | None) -> list[tuple[str, int, GroundLevel | None]]:
         """Return the events at a place: each with its scenario there, and a level from a map.
 
@@ -226,9 +231,6 @@ def scenario_file_of(data: Mapping[str, object], file: Path) -> ScenarioFile:
         buildings, station = data.pop("buildings", {}), data.pop("station", None)
         data.setdefault("furniture", ANY_FURNITURE)
         scenario = Scenario.parse(data, file.parent)
-        if scenario.stated_dimensions == 3:
-            raise not_allowed("dimensions", "3", "inventory.in_the_plane", "dimensions")
-        scenario = scenario.in_plane() if scenario.alone else scenario
         unused = {
             "[uncertainty] installation": "installation" in scenario.uncertainty.model_fields_set,
             "[everyday]": "everyday" in scenario.model_fields_set,

@@ -1,8 +1,9 @@
 """What an assessment keeps in SQLite: its plan (checked rows, rejects, units to simulate), and the outcomes.
 
-A unit is a body with its contents in a room, with a set of measures, at a site (a storey under a shaking of
-the ground). Each of these is identified by a spec: its text by `stayput.saved`, with every bit. The outcomes
-of units are records of fixed size; what was saved stays when the process is killed.
+A unit is a body with its contents in a room, at a site (a storey under a shaking of the ground), with the
+options that are compared there: sets of measures. Each of these is identified by a spec: its text by
+`stayput.saved`, with every bit. The outcomes of options are records of fixed size, numbered on from that of
+the unit; what was saved stays when the process is killed.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ import hashlib
 import json
 import sqlite3
 import zlib
-from collections.abc import Hashable, Iterable, Iterator, Mapping
+from collections.abc import Hashable, Iterator, Mapping, Sequence
 from contextlib import closing
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -30,13 +31,16 @@ if TYPE_CHECKING:
 MOST_CACHED = 800_000
 """Numbers of pieces, units and the like that are kept in memory."""
 
+GROUND = ("intensity", "sa", "pga", "pgv")
+"""How strongly the ground shakes."""
+
 _TABLES = """
 CREATE TABLE things (id INTEGER PRIMARY KEY, digest BLOB UNIQUE NOT NULL, spec TEXT NOT NULL);
 CREATE TABLE options (id INTEGER PRIMARY KEY, spec TEXT UNIQUE NOT NULL);
 CREATE TABLE sites (id INTEGER PRIMARY KEY, ground TEXT NOT NULL, storey INTEGER NOT NULL,
                     UNIQUE (ground, storey));
-CREATE TABLE units (site INTEGER, option INTEGER, thing INTEGER, id INTEGER NOT NULL,
-                    PRIMARY KEY (site, option, thing)) WITHOUT ROWID;
+CREATE TABLE units (site INTEGER, options INTEGER, thing INTEGER, id INTEGER NOT NULL,
+                    PRIMARY KEY (site, options, thing)) WITHOUT ROWID;
 CREATE TABLE ids (id TEXT PRIMARY KEY, row INTEGER NOT NULL) WITHOUT ROWID;
 CREATE TABLE rejects (row INTEGER, id TEXT, name TEXT, reason TEXT, reason_ja TEXT);
 CREATE TABLE parts (number INTEGER PRIMARY KEY, rows BLOB NOT NULL);
@@ -60,7 +64,7 @@ class Store:
         self.base.execute(f"PRAGMA cache_size = -{max(cache // 1024, 1024)}")
         self.base.execute("PRAGMA temp_store = FILE")
         self.numbers: FIFOCache[Hashable, int] = FIFOCache(MOST_CACHED)
-        self.next_unit = 0
+        self.next_record = 0
 
     def begin(self) -> None:
         """Make the tables; all is one transaction until `finish`."""
@@ -89,8 +93,8 @@ class Store:
         self.base.execute("INSERT OR IGNORE INTO ids VALUES (?, ?)", (name, row))
         return int(self.base.execute("SELECT row FROM ids WHERE id = ?", (name,)).fetchone()[0])
 
-    def units_of(self, ground: str, storey: int, piece: str, options: Iterable[str]) -> list[int]:
-        """Return the numbers of the units of a piece at a site, one for each option; new ones are added.
+    def records_of(self, ground: str, storey: int, piece: str, options: Sequence[str]) -> list[int]:
+        """Return the numbers of the records of a unit, one for each option; a new unit is added.
 
         Parameters
         ----------
@@ -100,18 +104,18 @@ class Store:
             The storey.
         piece : str
             Spec of the piece in its room.
-        options : iterable of str
-            Specs of the sets of measures.
+        options : sequence of str
+            Specs of the sets of measures, that without a measure first.
         """
         site = self._number("sites", {"ground": ground, "storey": storey})
         digest = hashlib.blake2b(piece.encode(), digest_size=16).digest()
         thing = self._number("things", {"digest": digest}, spec=piece)
-        units: list[int] = []
-        for spec in options:
-            key = {"site": site, "option": self._number("options", {"spec": spec}), "thing": thing}
-            units.append(self._number("units", key, id=self.next_unit))
-            self.next_unit += units[-1] == self.next_unit
-        return units
+        compared = self._number("options", {"spec": json.dumps(options)})
+        key = {"site": site, "options": compared, "thing": thing}
+        first = self._number("units", key, id=self.next_record)
+        if first == self.next_record:
+            self.next_record += len(options)
+        return [*range(first, first + len(options))]
 
     def _number(self, table: str, key: Mapping[str, str | int | bytes], **others: str | int) -> int:
         """Return the number of a row by its key, which is added with its other columns where it is new."""
@@ -152,23 +156,20 @@ class Store:
             sites.setdefault(ground, []).append((number, storey))
         return list(sites.items())
 
-    def option_specs(self) -> dict[int, str]:
-        """Return the measures of each option."""
-        return dict(self.base.execute("SELECT id, spec FROM options"))
+    def option_specs(self) -> dict[int, list[str]]:
+        """Return the specs of the options that are compared together, by the number of each such list."""
+        lists = self.base.execute("SELECT id, spec FROM options")
+        return {number: json.loads(spec) for number, spec in lists}
 
     def units_at(self, site: int) -> Iterator[tuple[int, int, str]]:
-        """Yield the units of a site: number, option, spec of the piece; those of one option together."""
+        """Yield the units of a site: number of the first record and of the options, spec of the piece."""
         with closing(self.base.cursor()) as cursor:
             yield from cursor.execute(
-                "SELECT units.id, units.option, things.spec "
+                "SELECT units.id, units.options, things.spec "
                 "FROM units JOIN things ON things.id = units.thing "
-                "WHERE units.site = ? ORDER BY units.option, units.thing",
+                "WHERE units.site = ? ORDER BY units.options, units.thing",
                 (site,),
             )
-
-    def units_by_option(self) -> dict[int, int]:
-        """Return how many units each option has."""
-        return dict(self.base.execute("SELECT option, COUNT(*) FROM units GROUP BY option"))
 
 
 def ground_spec(station: int, level: GroundLevel | None, building: BuildingTable | None) -> str:
@@ -183,26 +184,24 @@ def ground_of(spec: str) -> tuple[int, GroundLevel | None, BuildingTable | None]
     return station, level, None if table is None else BuildingTable.model_validate(table)
 
 
-def record_type(motions: int, samples: int) -> np.dtype[np.void]:
-    """Return the type of the outcome of a unit, of which so many runs are made at most."""
-    return np.dtype(
-        [
-            ("unit", "<i8"),
-            ("motions", "<i4"),
-            ("runs", "<i4"),  # without those given up
-            ("missing", "<i4"),
-            ("fell", "<i4"),
-            ("chances", "<f8", (len(EVENTS), 3)),  # estimate, low, high of each event
-            ("slide", "<f8", (3,)),  # median, 90 % quantile, mean of those that stay upright [m]
-            ("out", "<f8", (3,)),  # share of the contents that come out: estimate, low, high; nan without any
-            # a bit a sample: each event, and at last whether the run was given up or not made
-            ("each", "u1", (len(EVENTS) + 1, motions, -(-samples // 8))),
-        ]
-    )
-
+RECORD = np.dtype(
+    [
+        ("number", "<i8"),
+        ("motions", "<i4"),
+        ("runs", "<i4"),  # without those given up
+        ("missing", "<i4"),
+        ("fell", "<i4"),
+        ("chances", "<f8", (len(EVENTS), 3)),  # estimate, low, high of each event
+        ("slide", "<f8", (3,)),  # median, 90 % quantile, mean of those that stay upright [m]
+        ("out", "<f8", (3,)),  # share of the contents that come out: estimate, low, high; NaN without any
+        # how much likelier it is than without a measure that the event or overturning happens, run by run
+        ("change", "<f8", (len(EVENTS), 3)),
+    ]
+)
+"""Type of the outcome of an option of a unit."""
 
 _OUTCOMES = """
-CREATE TABLE IF NOT EXISTS outcomes (unit INTEGER PRIMARY KEY, record BLOB NOT NULL);
+CREATE TABLE IF NOT EXISTS outcomes (number INTEGER PRIMARY KEY, record BLOB NOT NULL);
 CREATE TABLE IF NOT EXISTS parts (name TEXT PRIMARY KEY, rows INTEGER NOT NULL, digest TEXT NOT NULL);
 """
 
@@ -214,15 +213,12 @@ class OutcomeStore:
     ----------
     path : Path
         The file; made where it is not there, and anew where it is no data base.
-    kind : dtype
-        Type of the records.
-    units : int
-        How many units there are; ``done`` says which of them have an outcome.
+    records : int
+        How many records there are; ``done`` says which of them are made.
     """
 
-    def __init__(self, path: Path, kind: np.dtype[np.void], units: int) -> None:
-        self.kind = kind
-        self.done = np.zeros(units, np.bool_)
+    def __init__(self, path: Path, records: int) -> None:
+        self.done = np.zeros(records, np.bool_)
         try:
             self._open(path)
         except sqlite3.OperationalError:  # of the disk
@@ -235,32 +231,32 @@ class OutcomeStore:
     def _open(self, path: Path) -> None:
         self._base = sqlite3.connect(path)
         self._base.executescript(_OUTCOMES)
-        units = self._base.execute("SELECT unit FROM outcomes")
-        self.done[np.fromiter((unit for (unit,) in units), np.int64)] = True
+        numbers = self._base.execute("SELECT number FROM outcomes")
+        self.done[np.fromiter((number for (number,) in numbers), np.int64)] = True
 
     def close(self) -> None:
         """Close the file."""
         self._base.close()
 
     def add(self, records: NDArray[np.void]) -> None:
-        """Add the outcomes of units that have none yet; they are kept once `commit` is called."""
-        rows = ((int(record["unit"]), record.tobytes()) for record in records)
+        """Add records that are not there yet; they are kept once `commit` is called."""
+        rows = ((int(record["number"]), record.tobytes()) for record in records)
         self._base.executemany("INSERT INTO outcomes VALUES (?, ?)", rows)
 
     def commit(self) -> None:
         """Keep what was added."""
         self._base.commit()
 
-    def of(self, units: NDArray[np.int64]) -> NDArray[np.void]:
-        """Return the records of some units, in increasing order of their numbers."""
+    def of(self, numbers: NDArray[np.int64]) -> NDArray[np.void]:
+        """Return the records of some numbers, in increasing order."""
         records: list[bytes] = []
-        for part in np.split(units, np.flatnonzero(np.diff(units) != 1) + 1):
+        for part in np.split(numbers, np.flatnonzero(np.diff(numbers) != 1) + 1):
             rows = self._base.execute(
-                "SELECT record FROM outcomes WHERE unit BETWEEN ? AND ? ORDER BY unit",
+                "SELECT record FROM outcomes WHERE number BETWEEN ? AND ? ORDER BY number",
                 (int(part[0]), int(part[-1])),
             )
             records += [record for (record,) in rows]
-        return np.frombuffer(b"".join(records), self.kind)
+        return np.frombuffer(b"".join(records), RECORD)
 
     def part(self, name: str) -> tuple[int, str] | None:
         """Return the rows and the digest of a part of the results that is complete."""

@@ -1,14 +1,16 @@
-"""The simulation units of a plan, cut into tasks of about a second for an executor to run.
+"""The units of a plan, cut into tasks of about a second for an executor to run.
 
-A unit is a piece with a set of measures on a floor, under all motions and all draws.
+A unit is a piece on a floor, with the sets of measures that are compared there: it is verified as a scenario
+of its own is, by the same race under the same motions and draws.
 """
 
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import closing
 from copy import copy
+from dataclasses import replace
 from functools import cache, lru_cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
@@ -20,186 +22,217 @@ from stayput.errors import InputError
 from stayput.execution import Pool, Shared
 from stayput.fragility.intensity_measures import JMA_INTENSITY, PGA, PGV
 from stayput.inventory.folder import OUTCOMES
-from stayput.inventory.results import GROUND
 from stayput.inventory.shakemap import GroundLevel
-from stayput.inventory.store import OutcomeStore, Store, ground_of, record_type
-from stayput.montecarlo.counting import OVERTURNED, Members, Outcomes, Quantiles
-from stayput.montecarlo.runs import run_prepared
-from stayput.montecarlo.sampling import DrawTable, Rows, Settings, draws, rows_of
-from stayput.montecarlo.scaled_motions import PreparedFloor, ScaledMotions
+from stayput.inventory.store import GROUND, RECORD, OutcomeStore, Store, ground_of
+from stayput.montecarlo.counting import OVERTURNED, Outcomes, Quantiles
+from stayput.montecarlo.runs import Runs
+from stayput.montecarlo.sampling import Settings
+from stayput.montecarlo.scaled_motions import FloorMotions, ScaledMotions
 from stayput.saved import from_text
-from stayput.verification.contents import first_draws, share_out, spilt_under
+from stayput.scenario.measures import Option
+from stayput.scenario.pieces import PieceTable
+from stayput.scenario.tables import RoomTable
+from stayput.verification.contents import share_out, spilt_by_option
+from stayput.verification.entry import tables_of
+from stayput.verification.option_runner import OptionRunner
+from stayput.verification.race import Race
 
 if TYPE_CHECKING:
-    from stayput.contents.contents import Contents
+    from stayput.fragility.probabilities import Probability
     from stayput.inventory.scenarios import Scenarios
     from stayput.measures import Measure
     from stayput.model.body import Body
     from stayput.model.room import Room
+    from stayput.scenario import Scenario
     from stayput.scenario.tables import BuildingTable
-
-FIRST_SAMPLES = 4
-"""Samples of each motion after which it is first looked whether a unit is as precise as asked."""
 
 SECONDS = 1.0
 """Wanted time of a task [s]: long beside the cost of handing it on, short beside the wait for the last."""
 
-FIRST_GUESS = {False: 3e-4, True: 6e-3}
-"""Guessed time of a run, without and with devices [s]; what was measured of all runs corrects it."""
+FIRST_GUESS = 0.3
+"""Guessed time of a unit [s]; what was measured of all units corrects it."""
 
 SAVE_AFTER = 5.0
 """Time after which outcomes are saved [s]: the most that is lost where the process is killed."""
 
-SAMPLE_BYTES = 40
-"""Bytes of a floor's motion for each sample: two components, while they are made and as they are prepared."""
+SAMPLE_BYTES = 60
+"""Bytes of a floor's motion for each sample: three components, while they are made and as they are run."""
+
+MOST_UNITS = 1000
+"""Units of a task from which it gets no more: some MB of records."""
 
 Unit: TypeAlias = "tuple[int, str]"
-"""Number of a unit, and the spec of its piece."""
-
-MOST_RUNS = 32_768
-"""Runs of a task from which it gets no more: some 10 MB."""
-
-_draws, _first_draws = lru_cache(maxsize=64)(draws), lru_cache(maxsize=64)(first_draws)
-"""The draws: all units of a scenario have the same."""
+"""Number of the first record of a unit, and the spec of its piece."""
 
 
-def evaluate(
-    units: Sequence[Unit], measures: str, floor: PreparedFloor, settings: Settings, kind: np.dtype[np.void]
-) -> tuple[NDArray[np.void], int]:
-    """Simulate units of one set of measures and one floor on this thread.
+def scenario_of(
+    stated: Scenario, body: Body, room: Room, options: Sequence[tuple[Measure, ...]]
+) -> tuple[Scenario, list[Option]]:
+    """Return the scenario in which a piece of an inventory is verified, and its options.
 
     Parameters
     ----------
-    units : sequence
-        Numbers, and specs of the pieces.
-    measures : str
-        Spec of their measures.
-    floor : PreparedFloor
-        What shakes them.
-    settings : Settings
-        Monte Carlo settings.
-    kind : dtype
-        Type of their records; see `stayput.inventory.store.record_type`.
+    stated : Scenario
+        The scenario of the inventory.
+    body, room
+        The piece and where it stands.
+    options : sequence of tuple of Measure
+        The options, the first with what is in place already.
+    """
+    tables, _ = tables_of(body, room)
+    stands = {
+        "furniture": PieceTable.model_validate(tables["furniture"]).with_python({"measures": options[0]}),
+        "room": RoomTable.model_validate(tables["room"]),
+    }
+    compared = [Option(str(number), (measures,)) for number, measures in enumerate(options)]
+    return stated.model_copy(update=stands).with_python(measures=compared[1:]), compared
+
+
+def evaluate(
+    unit: Unit, options: Sequence[str], floor: FloorMotions, stated: Scenario, slide_limit: float
+) -> tuple[NDArray[np.void], int]:
+    """Verify a unit on this thread.
+
+    Parameters
+    ----------
+    unit : tuple
+        Number of its first record, and the spec of its piece.
+    options : sequence of str
+        Specs of the options that are compared.
+    floor : FloorMotions
+        What shakes it.
+    stated : Scenario
+        The scenario of the inventory.
+    slide_limit : float
+        Slide that counts as too far [m].
 
     Returns
     -------
     tuple
-        Their records, and the runs that were done.
+        Its records (`stayput.inventory.store.RECORD`), one for each option, and the runs that were made.
     """
-    option: tuple[Measure, ...] = tuple(from_text(measures))
-    pieces: list[tuple[Body, Room, Contents | None]] = [from_text(spec) for _, spec in units]
-    runs = 0
-    records = np.zeros(len(units), kind)
-    records["unit"] = [number for number, _ in units]
-    records["out"] = np.nan
+    body, room, contents = from_text(unit[1])
+    scenario, compared = scenario_of(stated, body, room, [tuple(from_text(spec)) for spec in options])
+    if scenario.dimensions == 2 and stated.dimensions == 3 and stated.direction:
+        floor = replace(floor, motions=[motion.pointing(stated.direction) for motion in floor.motions])
+    made = 0
 
-    def run(places: list[int], samples: int, start: int) -> list[Outcomes]:
-        nonlocal runs
-        runs += len(places) * settings.motions * samples
-        drawn = _draws(settings.motions, samples, settings.seed, start, as_stated=settings.as_stated)
-        rows = [_rows_or_none(*pieces[place][:2], option, drawn, settings.gravity) for place in places]
-        possible = [row for row in rows if row is not None]
-        outcomes = iter(run_prepared(possible, floor, start) if possible else ())
-        none = Outcomes.impossible(Members.of_samples(settings.motions, samples, start))
-        return [none if row is None else next(outcomes) for row in rows]
+    def count(runs: int) -> None:
+        nonlocal made
+        made += runs
 
-    parts: list[list[Outcomes]] = [[] for _ in units]
-    going: list[int] = [*range(len(units))]
-    done, precision = 0, settings.precision
-    while going and done < settings.samples:
-        count = settings.samples if precision is None else min(settings.samples, max(FIRST_SAMPLES, 2 * done))
-        for place, outcomes in zip(going, run(going, count - done, done), strict=True):
-            parts[place] = [Outcomes.joined([*parts[place], outcomes])]
-        done = count
-        if precision is not None:
-            going = [n for n in going if parts[n][0].probability_of_overturning().half_width > precision]
-    for place, ((outcome,), (body, room, contents)) in enumerate(zip(parts, pieces, strict=True)):
-        fill_record(records[place : place + 1], outcome, settings.slide_limit)
-        if contents is not None:
-            records["out"][place] = _share_out(body, room, contents, option, floor, settings)
-    return records, runs
+    runner = OptionRunner(scenario, slide_limit, 1, floors=floor, advance=count)
+    outcomes = _outcomes(runner, compared)
+    shares: list[Probability | None] = [None] * len(compared)
+    if contents is not None:
+        possible = [place for place, runs in enumerate(outcomes) if not runs.missing.all()]
+        counts = [len(outcomes[place].members) for place in possible]
+        spilt = spilt_by_option(runner, [compared[place] for place in possible], counts, contents)
+        for place, of_option in zip(possible, spilt, strict=True):
+            shares[place] = share_out(of_option, contents)
+    records = np.zeros(len(compared), RECORD)
+    records["number"] = unit[0] + np.arange(len(compared))
+    for place, (runs, share) in enumerate(zip(outcomes, shares, strict=True)):
+        fill_record(records[place], runs, slide_limit, share)
+        fill_changes(records[place], runs, outcomes[0], slide_limit, len(compared) - 1)
+    return records, made
 
 
-def _share_out(
-    body: Body,
-    room: Room,
-    contents: Contents,
-    option: tuple[Measure, ...],
-    floor: PreparedFloor,
-    settings: Settings,
-) -> tuple[float, float, float]:
-    """Return the share of the contents that comes out, and its interval, as a verification follows them."""
-    drawn = _first_draws(settings.motions, settings.seed, settings.as_stated)
-    rows = _rows_or_none(body, room, option, drawn, settings.gravity)
-    if rows is None:
-        return np.nan, np.nan, np.nan
-    spilt = [spilt_under(rows, number, floor, body, contents, leaving=False) for number in range(len(drawn))]
-    share = share_out(spilt, contents)
-    return share.estimate, share.low, share.high
-
-
-def _rows_or_none(
-    body: Body, room: Room, option: tuple[Measure, ...], drawn: DrawTable, gravity: float
-) -> Rows | None:
+def _outcomes(runner: OptionRunner, options: Sequence[Option]) -> list[Outcomes]:
+    """Return the outcomes of options; of one that is not possible in every draw all runs are given up."""
     try:
-        return rows_of(body, room, option, drawn, gravity)
-    except InputError:  # a draw in which the measure is not possible: all its runs count as given up
-        return None
+        return _raced(runner, options)
+    except InputError:
+        possible = [option for option in options if _is_possible(runner, option)]
+    made = iter(_raced(runner, possible) if possible else ())
+    none = Outcomes.impossible(runner.members)
+    return [next(made) if option in possible else none for option in options]
 
 
-def fill_record(out: NDArray[np.void], outcomes: Outcomes, slide_limit: float) -> None:
-    """Fill in the record of a unit, shape (1,)."""
-    chances = outcomes.probabilities(slide_limit)
+def _raced(runner: OptionRunner, options: Sequence[Option]) -> list[Outcomes]:
+    race = Race(runner, options)
+    for _ in race.looks():
+        pass
+    return [*race.runs]
+
+
+def _is_possible(runner: OptionRunner, option: Option) -> bool:
+    try:
+        runner.run([option], runner.members)
+    except InputError:
+        return False
+    return True
+
+
+def fill_record(
+    record: np.void, outcomes: Outcomes, slide_limit: float, share: Probability | None = None
+) -> None:
+    """Fill in the record of an option, with the share of the contents that come out."""
+    has_devices = not isinstance(outcomes, Runs) or outcomes.devices.shape[1] > 0
+    chances = outcomes.probabilities(slide_limit, has_devices=has_devices)
     fallen = chances[OVERTURNED]
     for name in ("motions", "runs", "missing", "fell"):
-        out[name] = getattr(fallen, name)
-    out["chances"][0] = [(chance.estimate, chance.low, chance.high) for chance in chances.values()]
+        record[name] = getattr(fallen, name)
+    record["chances"] = [(chance.estimate, chance.low, chance.high) for chance in chances.values()]
     slide = Quantiles.of(outcomes.slide, outcomes.overturned)
     upright = outcomes.slide[~outcomes.missing & ~outcomes.overturned]
     mean = float(upright.sum() / len(upright)) if len(upright) else np.nan
-    out["slide"][0] = (slide.median, slide.p90, mean)
-    planes, rows, columns = out["each"].shape[1:]
-    each = np.zeros((planes, rows, 8 * columns), np.bool_)
-    each[-1] = True
-    members = outcomes.members
-    each[:, members.motion, members.sample] = (*outcomes.happened(slide_limit), outcomes.missing)
-    out["each"][0] = np.packbits(each, axis=-1)
+    record["slide"] = (slide.median, slide.p90, mean)
+    record["out"] = np.nan if share is None else (share.estimate, share.low, share.high)
+
+
+def fill_changes(
+    record: np.void, outcomes: Outcomes, bare: Outcomes, slide_limit: float, comparisons: int
+) -> None:
+    """Fill in by how much likelier events are with an option than without a measure."""
+    if outcomes is bare:
+        record["change"] = np.nan
+        return
+    each = zip(outcomes.happened(slide_limit), bare.happened(slide_limit), strict=True)
+    changes = [
+        outcomes.difference(now | outcomes.overturned, bare, then | bare.overturned, comparisons)
+        for now, then in each
+    ]
+    record["change"] = [(change.estimate, change.low, change.high) for change in changes]
 
 
 class TaskOutcome(NamedTuple):
-    """Outcomes of a task, its runs, and the time that they took and that they were guessed to take [s]."""
+    """Records of a task, its units and runs, and the time that they took [s]."""
 
     records: NDArray[np.void]
+    units: int
     runs: int
     seconds: float
-    guessed: float
 
 
-def prepared_floors(
-    shared: Shared[ScaledMotions],
+Floors: TypeAlias = "tuple[Scenario, dict[int, FloorMotions]]"
+"""A scenario, and the motions under the furniture of some storeys."""
+
+
+def floors_of(
+    ground: Shared[tuple[Scenario, ScaledMotions]],
     building: BuildingTable | None,
     storeys: tuple[int, ...],
     factors: NDArray[np.float64],
-) -> dict[int, PreparedFloor]:
+) -> Floors:
     """Return the motions of some storeys of a building, or of the ground, whose motions have factors."""
-    floors, scales = shared.value.floors(building, storeys, factors, threads=1)
-    prepared = (PreparedFloor.of(motions, scales) for motions in floors)
-    return dict(zip(storeys, prepared, strict=True))
+    scenario, motions = ground.value
+    floors, scales = motions.floors(building, storeys, factors, threads=1)
+    of_ground = {JMA_INTENSITY: motions.intensities(factors)}
+    moved = {
+        storey: FloorMotions(under, scales, of_ground) for storey, under in zip(storeys, floors, strict=True)
+    }
+    return scenario, moved
 
 
 def run_task(
-    floors: Shared[dict[int, PreparedFloor]],
-    storey: int,
-    settings: Settings,
-    groups: Mapping[str, Sequence[Unit]],
-    kind: np.dtype[np.void],
+    floors: Shared[Floors], storey: int, slide_limit: float, groups: Sequence[tuple[Sequence[str], Unit]]
 ) -> TaskOutcome:
-    """Simulate units of one storey, grouped by the specs of their measures, on this thread."""
-    floor, began = floors.value[storey], time.perf_counter()
-    results = [evaluate(units, measures, floor, settings, kind) for measures, units in groups.items()]
+    """Verify units of one storey, each with the specs of its options, on this thread."""
+    (scenario, moved), began = floors.value, time.perf_counter()
+    results = [evaluate(unit, options, moved[storey], scenario, slide_limit) for options, unit in groups]
     records, runs = zip(*results, strict=True)
-    guessed = sum(n * FIRST_GUESS["{" in measures] for n, measures in zip(runs, groups, strict=True))
-    return TaskOutcome(np.concatenate(records), sum(runs), time.perf_counter() - began, guessed)
+    return TaskOutcome(np.concatenate(records), len(groups), sum(runs), time.perf_counter() - began)
 
 
 class Work:
@@ -225,15 +258,10 @@ class Work:
         self.store, self.scenarios = store, scenarios
         self.floor_memory = floor_memory
         self.settings = [Settings.of(file.scenario, len(file.ground), slide_limit) for file in scenarios.all]
-        motions, samples = (max(getattr(case, of) for case in self.settings) for of in ("motions", "samples"))
-        self.kind = record_type(motions, samples)
-        self.outcomes = OutcomeStore(folder / OUTCOMES, self.kind, store.facts()["units"])
+        self.outcomes = OutcomeStore(folder / OUTCOMES, store.facts()["units"])
         self.done = self.outcomes.done
         self.options = store.option_specs()
-        self.runs_of_a_unit = runs = motions * samples
-        self.guesses = {option: runs * FIRST_GUESS["{" in spec] for option, spec in self.options.items()}
-        self.guess_left = sum(self.guesses[option] * n for option, n in store.units_by_option().items())
-        self.runs, self.seconds, self.guessed = 0, 0.0, 0.0
+        self.units, self.runs, self.seconds = 0, 0, 0.0
         self.ground = cache(self._ground_of)
         """The motions of a scenario, by its place."""
         self.strengths = lru_cache(maxsize=10_000)(self._strengths_of)
@@ -245,13 +273,17 @@ class Work:
 
     @property
     def left(self) -> int:
-        """Units that are not done."""
+        """Records that are not made."""
         return int(len(self.done) - np.count_nonzero(self.done))
 
     def _ground_of(self, station: int) -> ScaledMotions:
         file = self.scenarios.all[station]
-        vertical = bool(file.scenario.shaking.vertical)
-        ground = ScaledMotions(file.ground, vertical=vertical, measure=self.scenarios.measure)
+        ground = ScaledMotions(
+            file.ground,
+            vertical=bool(file.scenario.shaking.vertical),
+            dimensions=file.scenario.dimensions,
+            measure=self.scenarios.measure,
+        )
         _ = ground.to_jma_zero  # the intensity is reported in any case: refuse a still motion now
         return ground
 
@@ -281,40 +313,39 @@ class Work:
 
         The motions of the ground and of a building's floors are made once in each process.
         """
-        grounds: dict[int, Shared[ScaledMotions]] = {}
+        grounds: dict[int, Shared[tuple[Scenario, ScaledMotions]]] = {}
         for spec, sites in self.store.grounds():
             station, level, building = ground_of(spec)
             ground, factors = self.ground(station), self._factors(station, level)
             if station not in grounds:
-                grounds[station] = Shared(copy, ground)
+                grounds[station] = Shared(copy, (self.scenarios.all[station].scenario, ground))
             size = SAMPLE_BYTES * sum(len(motion.x) for motion in ground.ground)
             at_a_time = max(1, self.floor_memory // size)
             for start in range(0, len(sites), at_a_time):
                 batch = sites[start : start + at_a_time]
                 storeys = tuple(storey for _, storey in batch)
-                floors = Shared(prepared_floors, grounds[station], building, storeys, factors)
+                floors = Shared(floors_of, grounds[station], building, storeys, factors)
+                limit = self.settings[station].slide_limit
                 for site, storey in batch:
-                    for groups in self._groups_at(site, width):
-                        yield partial(run_task, floors, storey, self.settings[station], groups, self.kind)
+                    for units in self._units_at(site, width):
+                        yield partial(run_task, floors, storey, limit, units)
 
-    def _groups_at(self, site: int, width: int) -> Iterator[dict[str, list[Unit]]]:
-        """Yield the units of a site that are not done, grouped by their measures, as much as a task takes."""
-        groups: dict[str, list[Unit]] = {}
-        seconds, runs = 0.0, 0
-        for number, option, spec in self.store.units_at(site):
-            self.guess_left -= self.guesses[option]
+    def _units_at(self, site: int, width: int) -> Iterator[list[tuple[list[str], Unit]]]:
+        """Yield the units of a site that are not done, with their options, as many as a task takes."""
+        units, seconds = list[tuple[list[str], Unit]](), 0.0
+        for number, options, spec in self.store.units_at(site):
             if self.done[number]:
                 continue
-            groups.setdefault(self.options[option], []).append((number, spec))
-            pace = self.seconds / self.guessed if self.guessed else 1.0
-            seconds += self.guesses[option] * pace
-            shorter_at_the_end = max(self.guess_left * pace / (4.0 * width), 0.02)
-            runs += self.runs_of_a_unit
-            if seconds >= min(SECONDS, shorter_at_the_end) or runs >= MOST_RUNS:
-                yield groups
-                groups, seconds, runs = {}, 0.0, 0
-        if groups:
-            yield groups
+            units.append((self.options[options], (number, spec)))
+            pace = self.seconds / self.units if self.units else FIRST_GUESS
+            seconds += pace
+            # the last tasks are short, so that all threads end at about the same time
+            at_the_end = pace * self.left / (4.0 * width * len(self.options[options]))
+            if seconds >= min(SECONDS, max(at_the_end, 0.02)) or len(units) >= MOST_UNITS:
+                yield units
+                units, seconds = [], 0.0
+        if units:
+            yield units
 
     def run(self, pool: Pool, advance: Callable[[int], None]) -> None:
         """Run all tasks, and save their outcomes as they are completed.
@@ -338,10 +369,10 @@ class Work:
             self.outcomes.commit()
 
     def _store_outcome(self, outcome: TaskOutcome, advance: Callable[[int], None]) -> None:
+        self.units += outcome.units
         self.runs += outcome.runs
         self.seconds += outcome.seconds
-        self.guessed += outcome.guessed
-        fresh = outcome.records[~self.done[outcome.records["unit"]]]
-        self.done[fresh["unit"]] = True
+        fresh = outcome.records[~self.done[outcome.records["number"]]]
+        self.done[fresh["number"]] = True
         self.outcomes.add(fresh)
         advance(len(fresh))

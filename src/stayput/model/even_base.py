@@ -16,11 +16,11 @@ and over the triangle from c to the edge ∫ r dA is h/3 times that.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import ConvexHull, QhullError
 
 from stayput.mechanics.space.columns import LINE
 
@@ -46,10 +46,10 @@ def friction_ratio(solid: Solid) -> float:
     if solid.standing_rim is not None:
         return 2.0 / 3.0 if solid.base == "flat" else 1.0
     points = solid.base_points[:, :2]
-    try:
-        outline = points[_around_box(points) or ConvexHull(points).vertices]
-    except (QhullError, ValueError):  # fewer than three points, or in a line
+    around = _around_box(points) or _hull(points)
+    if around is None:
         return LINE
+    outline = points[around]
     ahead = np.roll(outline, -1, axis=0)
     length = np.linalg.norm(ahead - outline, axis=1)
     area = 0.5 * _cross(outline, ahead)
@@ -64,6 +64,16 @@ def friction_ratio(solid: Solid) -> float:
     # the least loads that balance about the centre
     loads = np.linalg.pinv(np.column_stack((np.ones(len(arms)), arms)).T)[:, 0]
     return min(1.0, float(d / (loads @ np.linalg.norm(arms, axis=1))))
+
+
+def _hull(points: NDArray[np.float64]) -> Sequence[int] | None:
+    """Return the points around a base, counter-clockwise; None of fewer than three, or in a line."""
+    from scipy.spatial import ConvexHull, QhullError  # which a box need not load
+
+    try:
+        return ConvexHull(points).vertices.tolist()
+    except (QhullError, ValueError):
+        return None
 
 
 def _around_box(points: NDArray[np.float64]) -> list[int] | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from functools import lru_cache
 from typing import NamedTuple, Self
 
@@ -190,10 +190,21 @@ class Outcomes:
         """Return whether it slid farther than a limit [m] or overturned: what falls has moved."""
         return self.overturned | (self.slide > slide_limit)
 
-    def probabilities(self, slide_limit: float) -> dict[str, Probability]:
-        """Return the probability of each of `EVENTS`; ``slide_limit`` is the slide that is too far [m]."""
+    def probabilities(self, slide_limit: float, *, has_devices: bool = True) -> dict[str, Probability]:
+        """Return the probability of each of `EVENTS`.
+
+        Parameters
+        ----------
+        slide_limit : float
+            The slide that is too far [m].
+        has_devices : bool
+            Whether devices hold it: where none does, none can fail.
+        """
         happened = self.happened(slide_limit)
-        return {event: self.probability(flags) for event, flags in zip(EVENTS, happened, strict=True)}
+        chances = {event: self.probability(flags) for event, flags in zip(EVENTS, happened, strict=True)}
+        if not has_devices:
+            chances[DEVICE_FAILED] = replace(chances[DEVICE_FAILED], estimate=0.0, low=0.0, high=0.0)
+        return chances
 
     def stability(self, slide_limit: float) -> Stability:
         """Return how firmly it stands; it moves where it slides too far or rocks."""

@@ -9,7 +9,7 @@ runs, turned and shifted to where its pieces stand.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -58,8 +58,9 @@ class PieceKind:
         What refusals call them.
     streams : tuple of str
         The names of their draws; see `SceneDraws.streams`.
-    key : str
-        What tells it from other kinds.
+    key : hashable
+        What tells it from other kinds: what it says of itself, and the classes of its measures, of which two
+        of one's own may say the same.
     tracked : bool
         Whether something else than the pieces asks where they were: others, people, or walls left out.
     """
@@ -67,7 +68,7 @@ class PieceKind:
     scene: Scene
     called: Sequence[str | Phrase]
     streams: tuple[str, ...]
-    key: str
+    key: Hashable
     tracked: bool
 
     @classmethod
@@ -77,7 +78,8 @@ class PieceKind:
         """Return that of a scene in axes of its own."""
         pieces = [(piece.body, piece.at, piece.heading, piece.measures) for piece in scene.pieces]
         moves = [(piece.tilt, piece.velocity, piece.rotation_rate) for piece in scene.pieces]
-        key = repr((pieces, moves, scene.joints, scene.room, scene.friction, streams))
+        classes = tuple(type(measure) for piece in scene.pieces for measure in piece.measures)
+        key = repr((pieces, moves, scene.joints, scene.room, scene.friction, streams)), classes
         return cls(scene, called, streams, key, tracked)
 
     @cached_property
@@ -200,7 +202,7 @@ class RunKey(NamedTuple):
 
     Parameters
     ----------
-    kind : str
+    kind : hashable
         The key of the kind.
     motion, sample : int
         Numbers of the motion, and of the draw under it.
@@ -210,7 +212,7 @@ class RunKey(NamedTuple):
         Number of the level of shaking.
     """
 
-    kind: str
+    kind: Hashable
     motion: int
     sample: int
     quarter_turns: int

@@ -13,11 +13,11 @@ from stayput.measures.element import failed, utilisation
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
 from stayput.mechanics.runner import no_elements
 from stayput.montecarlo.counting import Members, Outcomes
-from stayput.simulation.many import run_columns, run_rows
+from stayput.simulation.many import run_columns
 
 if TYPE_CHECKING:
     from stayput.montecarlo.sampling import Rows
-    from stayput.montecarlo.scaled_motions import FloorMotions, PreparedFloor
+    from stayput.montecarlo.scaled_motions import FloorMotions
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -150,39 +150,6 @@ def _runs(
 def without_free_slide(results: NDArray[np.void], free_slide: ArrayLike) -> None:
     """Take off the slides of results how far measures are made to let the pieces slide [m]."""
     results["peak_slide"] = np.maximum(results["peak_slide"] - free_slide, 0.0)
-
-
-def run_prepared(rows: Sequence[Rows], floor: PreparedFloor, start: int = 0) -> list[Outcomes]:
-    """Run several pieces with the same number of devices on this thread.
-
-    Parameters
-    ----------
-    rows : sequence of Rows
-        The cases of each piece; at least one.
-    floor : PreparedFloor
-        The motions.
-    start : int
-        How many samples of each motion come before these.
-    """
-    motions = len(floor.shakings)
-    samples = len(rows[0].cases) // motions
-    members = Members.of_samples(motions, samples, start)
-    cases = np.stack([piece_rows.cases for piece_rows in rows])
-    elements = np.stack([piece_rows.elements for piece_rows in rows])
-    results: list[NDArray[np.void]] = []
-    broken: list[NDArray[np.bool_]] = []
-    for motion, shaking in enumerate(floor.shakings):
-        of_motion = slice(motion * samples, (motion + 1) * samples)
-        motion_cases = cases[:, of_motion].ravel()
-        motion_cases["scale"] = floor.scales[motion]
-        motion_elements = np.ascontiguousarray(elements[:, of_motion]).reshape(len(motion_cases), -1)
-        result, devices = run_rows(motion_cases, motion_elements, shaking)
-        results.append(result.reshape(len(rows), -1))
-        broken.append((failed(motion_elements, devices).sum(axis=-1) > 0).reshape(len(rows), -1))
-    of_pieces = np.concatenate(results, axis=1)
-    without_free_slide(of_pieces, np.array([piece_rows.free_slide for piece_rows in rows])[:, np.newaxis])
-    any_broken = np.concatenate(broken, axis=1)
-    return [Outcomes.of(members, of_pieces[k], any_broken[k]) for k in range(len(rows))]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

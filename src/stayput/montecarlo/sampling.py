@@ -43,8 +43,7 @@ class Settings:
     seed : int
         Seed of the draws.
     precision : float, optional
-        Half-width of the 95 % interval of the probability of overturning at which sampling stops; without it
-        all samples are run.
+        Half-width of the 95 % interval of the probability of overturning at which sampling stops.
     slide_limit : float
         Slide that counts as too far [m].
     gravity : float
@@ -53,6 +52,8 @@ class Settings:
         Quantities that are not drawn.
     quantities : Uncertainty
         The distributions of the others.
+    all_runs : bool
+        Whether all runs of all options are made, as where their number is asked for without a precision.
     """
 
     motions: int
@@ -63,6 +64,7 @@ class Settings:
     gravity: float
     as_stated: tuple[str, ...]
     quantities: Uncertainty = QUANTITIES
+    all_runs: bool = False
 
     @property
     def runs(self) -> int:
@@ -83,6 +85,7 @@ class Settings:
             scenario.gravity,
             tuple(stated.as_stated),
             stated.quantities,
+            stated.samples is not None and stated.precision is None,
         )
 
 

@@ -23,10 +23,8 @@ from stayput.motion.floors import of_the_ground
 from stayput.motion.ground_shaking import GroundStrength, horizontal_peak, horizontal_sa, larger_peak
 from stayput.motion.intensity import factor_to_intensity, mercalli_beyond
 from stayput.motion.record import Motion
-from stayput.simulation.many import plane_shaking
 
 if TYPE_CHECKING:
-    from stayput.mechanics.runner import Shaking
     from stayput.montecarlo.counting import Members
     from stayput.motion.suites.suite import Suite
     from stayput.scenario import Scenario
@@ -60,19 +58,6 @@ def factors_to_level_zero(measure: IntensityMeasure, motions: Iterable[Motion]) 
         peak = "PGA" if measure == PGA else "PGV"
         return np.array([1.0 / horizontal_peak(motion, peak) for motion in motions])
     return np.array([STANDARD_GRAVITY / horizontal_sa(motion, period) for motion in motions])
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class PreparedFloor:
-    """The motions under the furniture of one storey as the kernels read them, and the factors on them."""
-
-    shakings: tuple[Shaking, ...]
-    scales: NDArray[np.float64]
-
-    @classmethod
-    def of(cls, motions: Iterable[Motion], scales: NDArray[np.float64]) -> PreparedFloor:
-        """Prepare motions for the kernels in the plane."""
-        return cls(tuple(map(plane_shaking, motions)), scales)
 
 
 class ComputedMotions(Sequence[Motion]):

@@ -193,10 +193,6 @@ class Scenario(SceneTables):
         drawn = self.plan is not None or self.has_two_components
         return None if self.direction is None and drawn else self.direction or 0.0
 
-    def in_plane(self) -> Self:
-        """Return the same of a lone piece in the plane, which inventories are simulated in."""
-        return self.model_copy(update={"stated_dimensions": 2})
-
     @property
     def samples(self) -> int:
         """Most samples of each set of measures, or runs of a room."""

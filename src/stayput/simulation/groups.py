@@ -17,7 +17,6 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import ConvexHull
 
 from stayput.mechanics.space.touching import ROOM
 from stayput.simulation.piece import Convex, ConvexShape, Piece, separation
@@ -101,6 +100,8 @@ def at_rest(piece: Piece, dt: float = 1.0) -> Track:
 
 def outline_of(corners: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the convex outline in plan of points [m], counter-clockwise, shape (n, 2)."""
+    from scipy.spatial import ConvexHull  # which a lone piece need not load
+
     plan = corners[:, :2]
     return plan[ConvexHull(plan).vertices]
 

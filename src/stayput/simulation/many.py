@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
-from functools import partial
+from functools import lru_cache, partial
 from typing import TYPE_CHECKING, Any, TypeAlias, TypedDict, Unpack
 
 import numpy as np
@@ -147,6 +147,7 @@ def run_rows(
     return run_cases(cases, motion), devices
 
 
+@lru_cache(maxsize=128)
 def plane_shaking(motion: Motion, law: int = 0) -> Shaking:
     """Return a motion as the mechanics in the plane read it, with the number of a contact law."""
     return shaking(motion.x, motion.z, motion.dt, law)
@@ -192,33 +193,23 @@ def run_columns(
     """
     rows = np.zeros((len(cases), 0), ELEMENT) if elements is None else elements
     used: list[int] = np.unique(motion).tolist()
-    prepared: dict[int, Shaking] = {}
+    prepared = {number: plane_shaking(motions[number]) for number in used}
     results, devices = np.zeros(len(cases), RESULT), np.zeros(rows.shape, DEVICE)
 
-    def shaking_of(number: int) -> Shaking:
-        return plane_shaking(motions[number])
-
     def run(chunk: NDArray[np.intp]) -> int:
-        shaken = prepared[int(motion[chunk[0]])]
-        results[chunk], devices[chunk] = run_rows(cases[chunk], rows[chunk], shaken)
+        starts = np.flatnonzero(np.diff(motion[chunk])) + 1
+        for group in np.split(chunk, starts):
+            shaken = prepared[int(motion[group[0]])]
+            results[group], devices[group] = run_rows(cases[group], rows[group], shaken)
         return len(chunk)
 
     with Pool(threads) as pool:
-        made = pool.in_order(partial(shaking_of, number) for number in used)
-        prepared |= zip(used, made, strict=True)
-        for _, done in pool.as_completed(partial(run, chunk) for chunk in _chunks(motion)):
+        by_motion = np.argsort(motion, kind="stable")
+        chunks = (by_motion[start : start + CHUNK] for start in range(0, len(cases), CHUNK))
+        for _, done in pool.as_completed(partial(run, chunk) for chunk in chunks):
             if on_progress is not None:
                 on_progress(done)
     return results, devices
-
-
-def _chunks(indices: NDArray[np.int64]) -> Iterator[NDArray[np.intp]]:
-    """Split cases into chunks that are shaken by one motion each, given the index of every case's motion."""
-    order = np.argsort(indices, kind="stable")
-    starts = np.flatnonzero(np.diff(indices[order], prepend=-1))
-    for group in np.split(order, starts[1:]):
-        for start in range(0, len(group), CHUNK):
-            yield group[start : start + CHUNK]
 
 
 PreparedMotions: TypeAlias = "dict[int, Any]"

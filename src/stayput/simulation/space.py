@@ -105,7 +105,7 @@ class Trace:
     @cached_property
     def path(self) -> Path:
         """Their poses where they move."""
-        return Path.of(self.trace.place, self.frames)
+        return Path.of(self.trace.place, self.trace.attitude, self.pieces)
 
     def fates(self) -> list[Fate]:
         """Return what became of the bodies, along their `path`."""

@@ -144,10 +144,17 @@ class Path(NamedTuple):
     turn: NDArray[np.float64]
 
     @classmethod
-    def of(cls, place: NDArray[np.float64], attitude: NDArray[np.float64]) -> Path:
-        """Return that of bodies from where they were and how their frames were turned at all samples."""
+    def of(
+        cls, place: NDArray[np.float64], attitude: NDArray[np.float64], pieces: Sequence[Piece] | None = None
+    ) -> Path:
+        """Return that of bodies from where they were and how they were turned at all samples.
+
+        Attitudes are those of the principal axes of pieces, where these are given, else of frames.
+        """
         sample, repeats = moved_samples(*place, *attitude)
-        return cls(sample, repeats, place[:, sample], matrices(attitude[:, sample]))
+        turned = attitude[:, sample]
+        frames = turned if pieces is None else frames_of(pieces, turned)
+        return cls(sample, repeats, place[:, sample], matrices(frames))
 
 
 def world_of(

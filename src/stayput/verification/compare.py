@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -101,16 +101,15 @@ def compare(
                 floor=floors.floor,
             )
 
-        def run(looks: Iterator[None]) -> None:
-            for _ in looks:
+        def run() -> None:
+            for _ in race.looks():
                 if on_verdict is not None:
                     on_verdict(so_far())
 
-        all_of_them = scenario.uncertainty.samples is not None and settings.precision is None
-        run(race.all_runs() if all_of_them else race.looks())
+        run()
         if search:
             race.add([*tried_options(runner, options[0], race.runs[0].stated)])
-            run(race.all_runs() if all_of_them else race.looks())
+            run()
         more: dict[str, Any] = {"drawn": drawn or len(asked) > 0}
         if faulty:
             well = {option.name: runs for option, runs in zip(options, race.runs, strict=False)}
@@ -299,7 +298,7 @@ def option_verdict(
         option=option,
         rank=0,
         runs=len(runs.members),
-        probabilities=runs.probabilities(limit),
+        probabilities=runs.probabilities(limit, has_devices=len(held) > 0),
         change=change(),
         slid=change(moved=True),
         slide=Quantiles.of(stated.slide, stated.overturned),
@@ -309,7 +308,7 @@ def option_verdict(
         pieces=tuple(
             PieceVerdict(
                 name,
-                outcomes.probabilities(limit),
+                outcomes.probabilities(limit, has_devices=any(name in pieces for pieces, _ in held)),
                 Quantiles.of(outcomes.stated.slide, outcomes.stated.overturned),
                 Quantiles.of(outcomes.stated.tilt, outcomes.stated.overturned),
                 outcomes.stability(limit),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import cache, partial
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
@@ -20,12 +20,12 @@ from stayput.fragility.probabilities import Probability, probability, probabilit
 from stayput.montecarlo.counting import Members
 from stayput.montecarlo.library import trace_draw
 from stayput.montecarlo.runs import run_level
-from stayput.montecarlo.sampling import DrawTable, Rows, draws, rows_of
-from stayput.montecarlo.scaled_motions import PreparedFloor
+from stayput.montecarlo.sampling import Rows, draws, rows_of
 from stayput.montecarlo.scene_draws import drawn_shaking
-from stayput.uncertainty import QUANTITIES, Uncertainty
+from stayput.simulation.many import plane_shaking
 
 if TYPE_CHECKING:
+    from stayput.mechanics.runner import Shaking
     from stayput.model.body import Body
     from stayput.scenario.measures import Option
     from stayput.verification.option_runner import OptionRunner
@@ -140,20 +140,9 @@ def contents_verdicts(
     if contents is None:
         return [None] * len(options)
     body = scenario.piece.body()
-    overturns, carrier = (_in_plane if runner.in_plane else _in_space)(runner, options)
-    most = min(runner.settings.motions, MOTIONS)
-    followed = [(place, motion) for place, of in enumerate(runs) for motion in range(min(of, most))]
-
-    def follow(place: int, motion: int) -> Spill | None:
-        return _spilt_by(carrier(place, motion), body, contents, leaving=True)
-
-    with Pool(runner.threads) as pool:
-        each = [*pool.in_order(partial(follow, *at) for at in followed)]
-    spilt = [
-        [spill for at, spill in zip(followed, each, strict=True) if at[0] == place]
-        for place in range(len(options))
-    ]
+    spilt = spilt_by_option(runner, options, runs, contents, followed=1)
     count = len(spilt[0])
+    overturns = partial(_overturns_in_plane if runner.in_plane else _overturns_in_space, runner, options[0])
     less, wide = overturns(emptied(body, contents), count), None
     if contents.drawers != "none":
         try:
@@ -175,52 +164,102 @@ def less_out(first: ContentsVerdict, second: ContentsVerdict, comparisons: int) 
     return difference(a == 1.0, b == 1.0, np.isnan(a + b), comparisons=comparisons)
 
 
-FirstRuns: TypeAlias = "tuple[Callable[[Body, int], Probability], Callable[[int, int], Carrier]]"
-"""How often another body with nothing in place overturns under so many motions, and how the piece moves with
-an option under a motion: first draws.
-"""
+def spilt_by_option(
+    runner: OptionRunner,
+    options: Sequence[Option],
+    runs: Sequence[int],
+    contents: Contents,
+    followed: int = 0,
+) -> list[list[Spill | None]]:
+    """Follow what is in a piece with each option; None where the piece's run is given up.
+
+    Parameters
+    ----------
+    runner, options, runs
+        As for `contents_verdicts`.
+    contents : Contents
+        What is in it.
+    followed : int
+        How many items of each shelf are followed until they leave a piece that stands.
+    """
+    body = runner.scenario.piece.body()
+    carrier = (_carriers_in_plane if runner.in_plane else _carriers_in_space)(runner, options)
+    most = min(runner.settings.motions, MOTIONS)
+    each = [(place, motion) for place, of in enumerate(runs) for motion in range(min(of, most))]
+
+    def follow(place: int, motion: int) -> Spill | None:
+        carried = carrier(place, motion)
+        if carried.failed:
+            return None
+        return spill_of(carried, body, contents, followed=0 if carried.overturned else followed)
+
+    with Pool(runner.threads) as pool:
+        spilt = [*pool.in_order(partial(follow, *at) for at in each)]
+    return [
+        [spill for at, spill in zip(each, spilt, strict=True) if at[0] == place]
+        for place in range(len(options))
+    ]
 
 
-def _in_plane(runner: OptionRunner, options: Sequence[Option]) -> FirstRuns:
-    scenario, settings, floors = runner.scenario, runner.settings, runner.floors
-    drawn = first_draws(settings.motions, settings.seed, settings.as_stated, settings.quantities)
+Carriers: TypeAlias = "Callable[[int, int], Carrier]"
+"""How the piece moves with an option under a motion, with its first draw."""
+
+
+def _rows_in_plane(runner: OptionRunner, body: Body, option: Option) -> Rows:
+    """Return a body with an option in the plane under the first draw of each motion."""
+    scenario, settings = runner.scenario, runner.settings
+    motions = min(settings.motions, MOTIONS)
+    drawn = draws(motions, 1, settings.seed, as_stated=settings.as_stated, quantities=settings.quantities)
+    stands = settings.gravity, scenario.initial.state()
+    return rows_of(body, scenario.room.room(), option.measures, drawn, *stands)
+
+
+def _overturns_in_plane(runner: OptionRunner, option: Option, other: Body, count: int) -> Probability:
+    """Return how often another body with an option overturns under so many motions."""
+    floors = runner.floors
     floors = replace(floors, motions=floors.motions[:MOTIONS], scales=floors.scales[:MOTIONS])
-    body, room, stands = scenario.piece.body(), scenario.room.room(), scenario.initial.state()
-
-    def rows(of: Body, option: Option) -> Rows:
-        return rows_of(of, room, option.measures, drawn, settings.gravity, stands)
-
-    def overturns(other: Body, count: int) -> Probability:
-        (runs,) = run_level([rows(other, options[0])], floors, threads=runner.threads)
-        return runs.chosen(slice(count)).probability_of_overturning()
-
-    mine = [rows(body, option) for option in options]
-    floor = PreparedFloor.of(floors.motions, floors.scales)
-    return overturns, lambda place, motion: _carrier_under(mine[place], motion, floor, body.height)
+    (runs,) = run_level([_rows_in_plane(runner, other, option)], floors, threads=runner.threads)
+    return runs.chosen(slice(count)).probability_of_overturning()
 
 
-def _in_space(runner: OptionRunner, options: Sequence[Option]) -> FirstRuns:
-    scenario, settings, scene_runner = runner.scenario, runner.settings, runner.scene_runner
-    scenes, stands = [*map(runner.scene, options)], scenario.initial.state()
+def _overturns_in_space(runner: OptionRunner, option: Option, other: Body, count: int) -> Probability:
+    scene = runner.scene(option)
+    other_scene = replace(scene, pieces=[replace(piece, body=other) for piece in scene.pieces])
+    # a library of its own: as in the plane its runs do not count
+    anew = runner.scene_runner.anew(lambda _runs: runner.advance(0))
+    with runner.scenario.naming_keys():
+        (runs,) = anew.run([other_scene], Members.of_samples(count, 1))
+    return runs.probability_of_overturning()
 
-    def overturns(other: Body, count: int) -> Probability:
-        scene = scenes[0]
-        other_scene = replace(scene, pieces=[replace(piece, body=other) for piece in scene.pieces])
-        # a library of its own: as in the plane its runs do not count
-        anew = scene_runner.anew(lambda _runs: runner.advance(0))
-        with scenario.naming_keys():
-            (runs,) = anew.run([other_scene], Members.of_samples(count, 1))
-        return runs.probability_of_overturning()
+
+def _carriers_in_plane(runner: OptionRunner, options: Sequence[Option]) -> Carriers:
+    body, floors = runner.scenario.piece.body(), runner.floors
+    rows = [_rows_in_plane(runner, body, option) for option in options]
+
+    @cache
+    def shaking(motion: int) -> Shaking:
+        return plane_shaking(floors.motions[motion])
 
     def carrier(place: int, motion: int) -> Carrier:
-        scene, draw = scenes[place], scene_runner.library.draws.draw(motion, 0, ("0",))
-        floor, scale = runner.floors.motions[motion], float(runner.floors.scales[motion])
-        shaken = drawn_shaking(floor, scale, draw, settings.gravity)
+        case = rows[place].cases[motion].copy()
+        case["scale"] = floors.scales[motion]
+        return Carrier.of(case, rows[place].elements[motion], shaking(motion), body.height)
+
+    return carrier
+
+
+def _carriers_in_space(runner: OptionRunner, options: Sequence[Option]) -> Carriers:
+    scenario, floors, gravity = runner.scenario, runner.floors, runner.settings.gravity
+    scenes, stands = [*map(runner.scene, options)], scenario.initial.state()
+
+    def carrier(place: int, motion: int) -> Carrier:
+        scene, draw = scenes[place], runner.scene_runner.library.draws.draw(motion, 0, ("0",))
+        shaken = drawn_shaking(floors.motions[motion], float(floors.scales[motion]), draw, gravity)
         fine = shaken.refined(parts(shaken.dt))
-        traced = trace_draw(scene, draw, fine, settings.gravity, scene.names, stands)
+        traced = trace_draw(scene, draw, fine, gravity, scene.names, stands)
         return Carrier.of_trace(fine, traced, scenario.piece.body().height)
 
-    return overturns, carrier
+    return carrier
 
 
 def runs_of_contents(contents: Contents, motions: int) -> int:
@@ -234,50 +273,6 @@ def runs_of_contents(contents: Contents, motions: int) -> int:
         Motions of the verification.
     """
     return min(motions, MOTIONS) * (1 + contents.levels * contents.items)
-
-
-def first_draws(
-    motions: int, seed: int, as_stated: Sequence[str], quantities: Uncertainty = QUANTITIES
-) -> DrawTable:
-    """Return the first draw of each of so many motions, of the first `MOTIONS` where there are more."""
-    columns = draws(motions, 1, seed, as_stated=as_stated, quantities=quantities).columns
-    return DrawTable({name: column[:MOTIONS] for name, column in columns.items()})
-
-
-def spilt_under(
-    rows: Rows, number: int, floor: PreparedFloor, body: Body, contents: Contents, *, leaving: bool
-) -> Spill | None:
-    """Follow what is in a piece under one motion; none where the piece's run is given up.
-
-    Parameters
-    ----------
-    rows : Rows
-        The piece with one draw for each motion.
-    number : int
-        The motion.
-    floor : PreparedFloor
-        The motions, with their factors.
-    body : Body
-        The piece as stated.
-    contents : Contents
-        What is in it.
-    leaving : bool
-        Whether to follow an item of each shelf until it leaves a piece that stands.
-    """
-    return _spilt_by(_carrier_under(rows, number, floor, body.height), body, contents, leaving=leaving)
-
-
-def _carrier_under(rows: Rows, number: int, floor: PreparedFloor, height: float) -> Carrier:
-    """Return how a piece moves in the plane under the motion of a number."""
-    case = rows.cases[number].copy()
-    case["scale"] = floor.scales[number]
-    return Carrier.of(case, rows.elements[number], floor.shakings[number], height)
-
-
-def _spilt_by(carrier: Carrier, body: Body, contents: Contents, *, leaving: bool) -> Spill | None:
-    if carrier.failed:
-        return None
-    return spill_of(carrier, body, contents, followed=1 if leaving and not carrier.overturned else 0)
 
 
 def share_out(spilt: Sequence[Spill | None], contents: Contents) -> Probability:

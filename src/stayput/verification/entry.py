@@ -110,10 +110,17 @@ Tables = tuple[dict[str, Any], list[dict[str, Any]]]
 """Tables of a scenario file that say what stands where, and of each piece the fields that no file states."""
 
 
-def _tables_of(what: Body | Case | Scene, room: Room) -> Tables:
+def tables_of(what: Body | Case | Scene, room: Room) -> Tables:
+    """Return the tables of a scenario file of a body in a room, of a case, or of a scene.
+
+    Raises
+    ------
+    InputError
+        The paper's contact law, which knows no devices; a case of another shape.
+    """
     if isinstance(what, Body):
         if what.shape is not None:
-            return _tables_of(Scene([Piece(what)], room), room)
+            return tables_of(Scene([Piece(what)], room), room)
         return {"furniture": _set_fields(what), "room": _room_table(instance_of("room", room, Room))}, []
     if isinstance(what, Scene):
         return _tables_of_scene(what)
@@ -400,7 +407,7 @@ def verify(
             _refuse_beside(subject, {"room": room})
         if shaking is None:
             raise InputError("scenario.missing", "shaking", allowed=phrase("verification.no_shaking"))
-        stands = _tables_of(subject, Room() if room is None else room)
+        stands = tables_of(subject, Room() if room is None else room)
         scenario = scenario_of(stands, shaking, measures, uncertainty, **place, tables=tables)
     further = list_of("intensity_measures", intensity_measures, IntensityMeasure)
     known = dict.fromkeys(intensity_measure(measure.key, "intensity_measures") for measure in further)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import weakref
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -126,8 +126,8 @@ class OptionRunner:
         As many as there are cores by default. The bits do not depend on them.
     scaled_motions : ScaledMotions, optional
         The motions at any level; those of the scenario by default.
-    shaking_factor : float
-        A factor on the shaking that the scenario states.
+    floors : FloorMotions, optional
+        The motions, where they are known at the one level that is run.
     beside : bool
         Whether two in five of the runs are at the levels beside the stated one; see `OFFSETS`.
     levels : sequence of float
@@ -156,24 +156,26 @@ class OptionRunner:
         threads: int | None,
         *,
         scaled_motions: ScaledMotions | None = None,
-        shaking_factor: float = 1.0,
+        floors: FloorMotions | None = None,
         beside: bool = False,
         levels: Sequence[float] = (),
         advance: Callable[[int], None] = lambda _runs: None,
     ) -> None:
         self.scenario, self.threads, self.advance = scenario, threads, advance
-        motions = scaled_motions or ScaledMotions.of(scenario)
-        self.floors = motions.stated_by(scenario, shaking_factor)
+        if floors is None:
+            motions = scaled_motions or ScaledMotions.of(scenario)
+            self.floors = motions.stated_by(scenario)
+            factors = [10.0 ** (0.5 * offset) for offset in OFFSETS[1:] if beside]
+            nearby = [motions.stated_by(scenario, factor) for factor in factors]
+            further = [motions.at(float(level)) for level in levels]
+            self.all_floors = FloorMotions.joined([self.floors, *nearby, *further])
+        else:
+            self.floors = self.all_floors = floors
         self.settings = Settings.of(scenario, len(self.floors.motions), slide_limit)
-        factors = [10.0 ** (0.5 * offset) for offset in OFFSETS[1:] if beside]
-        nearby = [motions.stated_by(scenario, shaking_factor * factor) for factor in factors]
-        further = [motions.at(float(level)) for level in levels]
-        self.all_floors = FloorMotions.joined([self.floors, *nearby, *further])
         self.members = Members.in_turn(self.settings.motions, self.settings.runs, beside=beside)
         self.detector = RoomEventDetector()
         self._scenes: dict[int, tuple[Option, Scene]] = {}
-        again = scenario.plan is not None and shaking_factor == 1.0
-        library = (_kept_library if again else Library)(scenario, self.all_floors)
+        library = (Library if scenario.plan is None else _kept_library)(scenario, self.all_floors)
         self.scene_runner = SceneRunner(
             scenario, library, threads=threads, advance=advance, detect=self.detector
         )
@@ -228,7 +230,7 @@ class OptionRunner:
         copies = [[number] for number in range(len(self.scenario.names))]
         if self.in_plane:
             return copies
-        facing = dict[str, dict[int, int]]()
+        facing = dict[Hashable, dict[int, int]]()
         alone = [each for each in self.scene_runner.standings(self.scene(option)) if len(each.group) == 1]
         for standing in alone:
             same = facing.setdefault(standing.kind.key, {})

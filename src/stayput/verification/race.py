@@ -26,6 +26,9 @@ FIRST_LOOK, STEP, STEP_IN_ROOM = 4, 8, 4
 
 In a room a look is cheap: most runs of an option are those of others, and no curve is fitted."""
 
+GROWTH = 8
+"""By how much more runs there are at the next look where all runs are asked for: few looks are fast."""
+
 LEADERS = 3
 """Options that run on beside that without anything after the first look; others of a room cannot win then."""
 
@@ -34,11 +37,14 @@ HALF_WIDTHS = {2: 0.10, 3: 0.16}
 
 A run in the plane takes a tenth of the time of one in space."""
 
-HELPS, CONTENDS, CONTENDER = 0.1, 0.15, 0.6
+HELPS, CONTENDS, CONTENDER = 0.04, 0.15, 0.6
 """How much less often the best overturns than without anything, and than what may be as good; its factor.
 
 Where something helps, the options between which it is open are known better than others: else what is told as
 the best is more than 5 points worse than the best in one of sixteen races."""
+
+UNSURE = 0.4
+"""Factor on the half-width of what is without anything and of the best, while the best only seems to help."""
 
 RUNNER_UP, BEATEN = 1.25, 1.9
 """Factors on the half-width for other options: those that may still be the best, and those that cannot be."""
@@ -72,18 +78,20 @@ class Race:
         """Let more options take part, whose tracks are not kept."""
         self.options += options
 
-    def all_runs(self) -> Iterator[None]:
-        """Make all runs of all options, and yield after each part of them."""
+    def looks(self) -> Iterator[None]:
+        """Run the race, and yield after each look; all runs of all options, where so many are asked for."""
+        return self._all_runs() if self.runner.settings.all_runs else self._race()
+
+    def _all_runs(self) -> Iterator[None]:
         most, count = len(self.runner.members), STEP
         while True:
             self._run_to(dict.fromkeys(range(len(self.options)), count))
             yield
             if count >= most:
                 return
-            count *= 2
+            count *= GROWTH
 
-    def looks(self) -> Iterator[None]:
-        """Run the race, and yield after each look."""
+    def _race(self) -> Iterator[None]:
         most, everyone = len(self.runner.members), range(len(self.options))
         for count in (STEP,) if self.runs else (FIRST_LOOK, STEP):
             self._run_to(dict.fromkeys(everyone, count))
@@ -160,6 +168,8 @@ class Race:
             may_win = not self._beaten(number, best) and (place < LEADERS or not self._in_room)
             targets[number] = enough * (RUNNER_UP if may_win else BEATEN)
         targets |= dict.fromkeys(self._contenders(order), enough * CONTENDER)
+        if precision is None and self._seems_to_help(order):
+            targets |= dict.fromkeys((0, best), enough * UNSURE)
         return [number for number in sorted(targets) if not self._half_width(number) <= targets[number]]
 
     def _half_width(self, number: int) -> float:
@@ -175,14 +185,21 @@ class Race:
         unbeaten = [number for number in near if number == order[0] or not self._beaten(number, order[0])]
         return unbeaten if len(unbeaten) > 1 else []
 
+    def _seems_to_help(self, order: list[int]) -> bool:
+        """Return whether the best helps in these runs, and it is not clear beyond chance that it does."""
+        if not order or self._in_room or self._more(order[0]) > -HELPS:
+            return False
+        # as it is told: by intervals that hold for all options together
+        return not self._beaten(0, order[0], len(self.options) - 1)
+
     def _read(self, runs: Runs) -> NDArray[np.bool_]:
         """Return what people read first: whether somebody is hit, or whether a counted piece overturns."""
         hit_is_read = self._in_room and len(self.runner.plan(self.options[0]).places) > 0
         return events_of(runs)["hit"] if hit_is_read else runs.overturned
 
-    def _beaten(self, number: int, best: int) -> bool:
+    def _beaten(self, number: int, best: int, comparisons: int = 1) -> bool:
         option, first = self.runs[number], self.runs[best]
-        more = option.difference(self._read(option), first, self._read(first))
+        more = option.difference(self._read(option), first, self._read(first), comparisons)
         return more.clear and more.estimate > 0.0
 
 

@@ -207,6 +207,7 @@ def room_markdown(verdict: Verdict, language: str = "en") -> str:
         if each.rows:
             rows = (tuple(cell.text(language) for cell in row) for row in each.rows)
             lines += ["", *tables.table(each.columns, rows)]
+    lines += [f"\n{tables.plain(note)}" for note in verdict.notes(language)]
     lines += tables.rests_on(verdict, language)
     lines += [f"\n{simulations_of_room(verdict, language)}", f"\nstayput {stayput.__version__}"]
     return "\n".join(lines) + "\n"
@@ -237,6 +238,7 @@ def room_html(verdict: Verdict, language: str = "en") -> str:
         "risk": _risk(people),
         "others": others,
         "simulations": simulations_of_room(verdict, language),
+        "notes": verdict.notes(language),
         "plan": Markup(room_plan(verdict, language)),
         "legend": [(Markup(swatch), name) for swatch, name in legend(language)],
         "falls_from": 100.0 * FALLS_FROM,
