@@ -56,7 +56,7 @@ def test_a_row_says_what_a_verification_says(small):
             ends = option[event], option[f"{event}_low"], option[f"{event}_high"]
             assert ends == (found.estimate, found.low, found.high)
         assert (option["slide_median"], option["slide_p90"]) == (of.slide.median, of.slide.p90)
-    assert (row["best"], row["finding"]) == ("none", "too_few_runs")
+    assert (row["best"], row["finding"]) == ("sheet+tension_pole", "may_be_chance")
     assert verdict.best.option.name == "none"  # which no set clearly betters
     assert row["intensity"] == verdict.intensity == 6.0
 

@@ -390,13 +390,10 @@ def read(path: str | Path) -> Scenario:
     --------
     >>> import stayput as sp
     >>> scenario = sp.read("examples/verify.toml")
-    >>> for option in scenario.options:
-    ...     run = scenario.run(option.measures)
-    ...     print(f"{option.name}: {run.outcome}")
-    felt_glides: overturned
-    belt: rocked
-    l_bracket: leaning
-    stopper and poles: overturned
+    >>> [option.name for option in scenario.options]
+    ['felt_glides', 'belt', 'l_bracket', 'stopper and poles']
+    >>> print(scenario.run().outcome)
+    overturned
     """
     instance_of("path", path, (str, PathLike))
     file = Path(path)

@@ -408,7 +408,7 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
             flow.step = min(most, h * max(LEAST_GROWTH, min(MOST_GROWTH, growth)))
             flow.kinked = 1 if switches else 0
             if not flow.on_edge:
-                flow.step_off_edge = flow.step
+                flow.step_off_edge = max(flow.step, longest)
         if not flow.on_edge:
             project(flow, memory[1], body, world[1], world[3], stage[0], memory[2])
             note_pressing_force(flow, memory[1], world[3])
