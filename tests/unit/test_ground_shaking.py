@@ -212,9 +212,8 @@ def test_the_curves_are_those_of_the_same_scenario_at_an_intensity() -> None:
         ]
         (fell, of), (others, of_others) = counts
         assert of == of_others > 0
-        assert (
-            abs(fell - others) <= 1
-        )  # factors that differ by rounding: runs of many impacts may end otherwise
+        # factors differ by rounding, by which runs of many impacts may end otherwise
+        assert abs(fell - others) <= 1
     medians = [curve.capacity(0.5) for curve in (first, second)]
     assert medians[0].low <= medians[1].estimate <= medians[0].high
 
