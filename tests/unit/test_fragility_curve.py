@@ -125,10 +125,10 @@ def _counts(fell: list[int], runs: int = 100, im: tuple[float, ...] = (5.0, 5.5,
 @pytest.mark.parametrize(
     ("fell", "half", "tenth"),
     [
-        ([0, 0, 0, 0], "> 7.22", "> 6.78"),
+        ([0, 0, 0, 0], "> 7.22", "> 6.86 (more than 6.78)"),
         ([100, 100, 100, 100], "< 4.32", "< 3.95"),
-        ([1, 2, 4, 9], "> 6.84", "6.51 (more than 6.29)"),
-        ([90, 93, 97, 99], "< 4.66", "< 4.24"),
+        ([1, 2, 4, 9], "> 6.86 (more than 6.84)", "6.51 (more than 6.29)"),
+        ([90, 93, 97, 99], "< 4.64 (at most 4.66)", "< 4.24"),
     ],
 )
 def test_in_words_where_there_is_no_number(fell: list[int], half: str, tenth: str) -> None:
@@ -139,6 +139,14 @@ def test_in_words_where_there_is_no_number(fell: list[int], half: str, tenth: st
     assert curve.lognormal is None
     assert curve.lognormal_texts == ("", "")
     assert curve.text == f"Half fall at JMA {half}, 10 % at {tenth}."
+
+
+def test_a_capacity_beyond_the_curve_is_no_less_than_a_smaller_share_s() -> None:
+    """The lower end for a half is less here than the intensity at which a tenth are told to fall."""
+    curve = curve_of(_counts([0, 0, 0, 0], runs=12))
+    half, tenth = curve.capacity(0.5), curve.capacity(0.1)
+    assert half.low < tenth.estimate < half.bound == pytest.approx(curve.ends[1])
+    assert half.value[0] == f"> {half.bound:.2f}"
 
 
 def test_fewer_runs_say_less() -> None:

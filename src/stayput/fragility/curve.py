@@ -49,6 +49,8 @@ class Capacity:
         The intensity [SI]; NaN where it lies beyond the curve.
     low, high : float
         Ends of the 95 % interval [SI]; −∞ (0 of a peak) or ∞ where they lie beyond the curve.
+    bound : float or None
+        The end of the curve beyond which the estimate lies [SI]; None where it lies on the curve.
     """
 
     measure: IntensityMeasure
@@ -56,6 +58,7 @@ class Capacity:
     estimate: float
     low: float
     high: float
+    bound: float | None = None
 
     @property
     def ends(self) -> Phrase:
@@ -69,16 +72,28 @@ class Capacity:
         return phrase("fragility.more_than" if high is None else "fragility.ends", low=low, high=high)
 
     @property
-    def texts(self) -> Phrase:
-        """The capacity in both languages: "6.12 (5.95 to 6.33)", "> 6.21", "< 5.3"."""
+    def value(self) -> Phrase:
+        """The capacity without its interval: "6.12", or "> 6.36" where it lies beyond the curve."""
         show = self.measure.text
-        if not math.isnan(self.estimate):
-            return phrase("fragility.capacity", value=show(self.estimate), ends=self.ends)
-        if self.low > self.measure.least:
-            return phrase("fragility.capacity_above", above=show(self.low))
+        if self.bound is None:
+            return show(self.estimate), show(self.estimate)
+        if math.isinf(self.high) and self.low > self.measure.least:
+            return phrase("fragility.capacity_above", above=show(max(self.low, self.bound)))
         if math.isfinite(self.high):
-            return phrase("fragility.capacity_below", below=show(self.high))
+            return phrase("fragility.capacity_below", below=show(min(self.high, self.bound)))
         return phrase("common.unknown")
+
+    @property
+    def whole_interval_beyond(self) -> bool:
+        """Whether the estimate and all of its interval lie beyond the curve, on the same side."""
+        return self.bound is not None and not self.low < self.bound < self.high
+
+    @property
+    def texts(self) -> Phrase:
+        """The capacity in both languages: "6.12 (5.95 to 6.33)", "> 6.36 (more than 6.21)", "< 5.3"."""
+        if self.whole_interval_beyond:
+            return self.value
+        return phrase("fragility.capacity", value=self.value, ends=self.ends)
 
     @property
     def text(self) -> str:
@@ -221,12 +236,15 @@ class FragilityCurve(InJson):
         first, last = self.ends
         low, u, high = self.fit.coordinate(within("fragility.share", share, 1e-3, 1.0 - 1e-3)).tolist()
         inside = first <= u <= last
-        each = (
-            u if inside else math.nan,
-            low if low >= first else -math.inf,
-            high if high <= last else math.inf,
+        value = self.measure.value
+        return Capacity(
+            self.measure,
+            share,
+            estimate=float(value(u)) if inside else math.nan,
+            low=float(value(low if low >= first else -math.inf)),
+            high=float(value(high if high <= last else math.inf)),
+            bound=None if inside else float(value(min(max(u, first), last))),
         )
-        return Capacity(self.measure, share, *(float(self.measure.value(end)) for end in each))
 
     @cached_property
     def lognormal(self) -> LognormalParameters | None:

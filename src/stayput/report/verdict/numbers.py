@@ -128,16 +128,12 @@ def forces(quantiles: Quantiles, language: str) -> tuple[str, str]:
 
 def capacity(reached: Capacity | None, language: str) -> str:
     """Return a capacity without its interval: "6.12", "> 6.90", "< 5.50"."""
-    if reached is None:
-        return NO_NUMBER
-    if math.isfinite(reached.estimate):
-        return reached.measure.text(reached.estimate)
-    return say(reached.texts, language)
+    return NO_NUMBER if reached is None else say(reached.value, language)
 
 
 def capacity_interval(reached: Capacity | None, language: str) -> str:
-    """Return the interval of a capacity: "5.95 to 6.33"; empty where the capacity is not a number."""
-    return say(reached.ends, language) if reached is not None and math.isfinite(reached.estimate) else ""
+    """Return the interval of a capacity: "5.95 to 6.33"; empty where all of it lies beyond the curve."""
+    return "" if reached is None or reached.whole_interval_beyond else say(reached.ends, language)
 
 
 def word(key: str, language: str, **values: object) -> str:
