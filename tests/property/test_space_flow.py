@@ -161,3 +161,12 @@ def test_a_flow_has_the_forces_of_a_short_step(
         assert flowing == pytest.approx(stepped, abs=(1e-4 if sticks else 5e-4) * weight)
         compared += 1
     assert compared >= 4
+
+
+def test_a_step_that_an_event_cut_short_does_not_shorten_later_ones() -> None:
+    """Devices that yield end steps early; a flow that began so short was left at once for plain steps."""
+    motion = sp.synthetic_suite("mixed", 4, seed=1)[3].to_intensity("6-upper")
+    room = sp.Room(sp.Floor.of("wood flooring"), left_wall=sp.Wall(0.02))
+    body, bracket = sp.Body(0.3, 1.8, 100.0, length=0.9), sp.MEASURES["l_bracket"]()
+    run = sp.simulate(body, room, motion, measures=[bracket], dimensions=3)
+    assert run.steps < 200.0 * motion.duration  # 245 a second where it was so
