@@ -99,10 +99,9 @@ class PieceKind:
     ) -> tuple[Trace, SpaceShaking]:
         """Run the pieces under a draw, the floor moving by a factor on a motion."""
         shaking = drawn_shaking(floor, scale, draw, gravity)
-        # what a lone piece does after it lies changes nothing
-        stop_after_rest = ENDS if len(self.scene.pieces) == 1 else math.inf
+        # what pieces do after all lie changes nothing
         how = gravity, self.called, initial
-        return trace_draw(self.scene, draw, shaking, *how, stop_after_rest=stop_after_rest), shaking
+        return trace_draw(self.scene, draw, shaking, *how, stop_after_rest=ENDS), shaking
 
 
 @dataclass(frozen=True, eq=False)

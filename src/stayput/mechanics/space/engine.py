@@ -105,8 +105,10 @@ MOST_UNCONVERGED, FEW, MANY = 0.05, 20, 1000
 up to a few, as in a moment, and with many at once.
 """
 
-LYING = 1.0 - math.cos(math.radians(89.0))
-"""1 − cos of the tilt from which on a body lies."""
+LYING, FALLEN = 1.0 - math.cos(math.radians(89.0)), 1.0 - math.cos(math.radians(60.0))
+"""1 − cos of the tilt from which on a body lies, and from which on one of several does: those of a row that
+has fallen lean on each other. None of them stands up again.
+"""
 
 LENGTH, EVENT, ROUGH, SHORT, LIMIT = range(5)
 """What a step passes on to the next: its length; that down to which one with an event is halved; plain steps
@@ -284,8 +286,9 @@ def _copy_rows(rows, to):
 
 @inline
 def _all_lie(bodies, poses):
+    least = LYING if bodies.shape[0] == 1 else FALLEN
     for b in range(bodies.shape[0]):
-        if leaning(bodies[b], poses[b]) < LYING:
+        if leaning(bodies[b], poses[b]) < least:
             return False
     return True
 
