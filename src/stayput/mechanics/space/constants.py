@@ -34,8 +34,10 @@ it at the rate μ g/u, which is stiff below: there the general, implicit steps g
 a flow that begins does not end at once.
 """
 
-PINNED_SPEED = 1e-4
-"""Speed up to which a body on three contacts or more may come to rest [m/s], as the general law tells."""
+PINNED_SPEED, PINNED_REST = 1e-4, 1e-9
+"""Speed up to which a body on three contacts or more comes to rest [m/s], and what rounding leaves of it where
+these hold it.
+"""
 
 FLOW_TOLERANCE = 0.1
 """Error of a step over its length, and over that of the longest plain one, up to which it is accepted [m/s²]:

@@ -21,7 +21,7 @@ from typing import Any
 from stayput.compiling import entry, inline, inner
 from stayput.mechanics.space.body import attitude, set_attitude, stop
 from stayput.mechanics.space.closing import TOGETHER, keep, meeting, note_all_gaps
-from stayput.mechanics.space.constants import FLOW_WORK, IMPULSE_TIME, STEP_AFTER_EVENT, STIFF_PAUSE
+from stayput.mechanics.space.constants import FLOW_WORK, IMPULSE_TIME, PINNED_SPEED, STEP_AFTER_EVENT, STIFF_PAUSE
 from stayput.mechanics.space.devices import give, note_forces, note_loads
 from stayput.mechanics.space.events import (
     all_stick,
@@ -35,7 +35,7 @@ from stayput.mechanics.space.events import (
     note_weight,
     switch_now,
 )
-from stayput.mechanics.space.flow import begin_flow, keep_flow, note_flow, settle, stands_off
+from stayput.mechanics.space.flow import begin_flow, keep_flow, note_flow, pin, presses_on_wall, settle, stands_off
 from stayput.mechanics.space.flow_step import GOES_ON, HITS, LANDS, STIFF, advance_flow
 from stayput.mechanics.space.penetration import move_out
 from stayput.mechanics.space.rest import (
@@ -359,6 +359,7 @@ def _accept(world, held, poses, count, time, h, least, refined, numbers, scratch
         note_hits(contacts, count, kept[0], time + h, trial, output[2], output[3])
         keep(contacts, count, kept[0], scratch[7][3])
         give(held[0], held[1], held[2], trial, time + h)
+    slows = fastest(bodies, trial) < fastest(bodies, now)
     for b in range(bodies.shape[0]):
         now[b] = trial[b]
     _copy_rows(gaps[1:2], gaps[0:1])
@@ -367,7 +368,11 @@ def _accept(world, held, poses, count, time, h, least, refined, numbers, scratch
         begin_flow(world, now, contacts, count, last, gravity, memory)
         if not flow.ready and any_closes_fast(contacts, count):
             pace[LENGTH] = STEP_AFTER_EVENT * longest
-    if alone and not moves(now[0]) and stands_off(world, gaps[0]):
+    creeps = slows and moves(now[0]) and fastest(bodies, now) <= PINNED_SPEED
+    if alone and creeps and presses_on_wall(contacts, count):
+        pin(world, now, contacts, count, kept[0], last, gravity, memory)
+        note_all_gaps(world, now, scratch, gaps[0])
+    elif alone and not moves(now[0]) and stands_off(world, gaps[0]):
         settle(world, now, gaps[0], kept[0], memory)
         note_all_gaps(world, now, scratch, gaps[0])
     note_peaks(bodies, now, output[4])

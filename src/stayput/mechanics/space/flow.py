@@ -14,12 +14,13 @@ import math
 
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.active_set import kappa_of, project
-from stayput.mechanics.space.body import place_of
+from stayput.mechanics.space.body import place_of, stop
 from stayput.mechanics.space.closing import OPEN
 from stayput.mechanics.space.columns import BY_ROOM
 from stayput.mechanics.space.constants import (
     IMPULSE_TIME,
     LONGEST_FLOW_STEP,
+    PINNED_REST,
     PINNED_SPEED,
     PRESSING_SHARE,
     SETTLE_GAP,
@@ -79,6 +80,37 @@ def begin_flow(world, poses, contacts, count, h, gravity, memory):
     flow.relaxation = 1.0
     flow.fx = flow.fy = flow.fz = flow.mx = flow.my = flow.mz = 0.0
     return True
+
+
+@inline
+def presses_on_wall(contacts, count):
+    """Return whether any contact that is not on the floor presses."""
+    for c in contacts[:count]:
+        if c.pn > 0.0 and not c.floor:
+            return True
+    return False
+
+
+@inner
+def pin(world, poses, contacts, count, kept, h, gravity, memory):
+    """Stop a body that comes to rest on the contacts that press on it, and put it onto their planes.
+
+    Contacts are closed from a small gap on, and general steps close what is left of it little by little: a
+    body that leans on a wall would creep for a tenth of a second, and its contacts stick and slip in turn.
+    """
+    flow, pressing = memory[0][0], memory[1]
+    body, points, s = world[0][0], world[1], poses[0]
+    least = PRESSING_SHARE * body.mass * gravity * h
+    flow.count, flow.all_stick = 0, 1
+    for contact in contacts[:count]:
+        if contact.pn > least and flow.count < pressing.shape[0]:
+            c = pressing[flow.count]
+            _fill_in(c, contact, points, points.shape[0], s, body, 0, h)
+            c.sticks, kept[c.key, 3] = 1, 1.0
+            flow.count += 1
+    project(flow, pressing, body, points, world[3], s, memory[2])
+    if fastest(world[0], poses) <= PINNED_REST:
+        stop(s)
 
 
 @inner
