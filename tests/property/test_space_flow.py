@@ -170,3 +170,12 @@ def test_a_step_that_an_event_cut_short_does_not_shorten_later_ones() -> None:
     body, bracket = sp.Body(0.3, 1.8, 100.0, length=0.9), sp.MEASURES["l_bracket"]()
     run = sp.simulate(body, room, motion, measures=[bracket], dimensions=3)
     assert run.steps < 200.0 * motion.duration  # 245 a second where it was so
+
+
+def test_a_body_that_creeps_against_a_wall_stops() -> None:
+    """Else its contacts stick and slip in turn, in tens of thousands of steps of 1 µs in some of these runs."""
+    motion = sp.synthetic_suite("mixed", 40, seed=5)[35].to_intensity("6-upper").scaled(0.80308651)
+    room = sp.Room(sp.Floor(0.31030512, 0.24824409), left_wall=sp.Wall(0.01042447))
+    for wider in np.linspace(0.0, 1e-6, 6).tolist():
+        body = sp.Body(0.29432098 + wider, 1.79184916, 80.0, length=0.9)
+        assert sp.simulate(body, room, motion, dimensions=3).steps < 200 * motion.duration

@@ -21,7 +21,13 @@ from typing import Any
 from stayput.compiling import entry, inline, inner
 from stayput.mechanics.space.body import attitude, set_attitude, stop
 from stayput.mechanics.space.closing import TOGETHER, keep, meeting, note_all_gaps
-from stayput.mechanics.space.constants import FLOW_WORK, IMPULSE_TIME, PINNED_SPEED, STEP_AFTER_EVENT, STIFF_PAUSE
+from stayput.mechanics.space.constants import (
+    FLOW_WORK,
+    IMPULSE_TIME,
+    PINNED_SPEED,
+    STEP_AFTER_EVENT,
+    STIFF_PAUSE,
+)
 from stayput.mechanics.space.devices import give, note_forces, note_loads
 from stayput.mechanics.space.events import (
     all_stick,
@@ -35,7 +41,15 @@ from stayput.mechanics.space.events import (
     note_weight,
     switch_now,
 )
-from stayput.mechanics.space.flow import begin_flow, keep_flow, note_flow, pin, presses_on_wall, settle, stands_off
+from stayput.mechanics.space.flow import (
+    begin_flow,
+    keep_flow,
+    note_flow,
+    pin,
+    presses_on_wall,
+    settle,
+    stands_off,
+)
 from stayput.mechanics.space.flow_step import GOES_ON, HITS, LANDS, STIFF, advance_flow
 from stayput.mechanics.space.penetration import move_out
 from stayput.mechanics.space.rest import (
