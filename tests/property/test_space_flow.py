@@ -173,7 +173,7 @@ def test_a_step_that_an_event_cut_short_does_not_shorten_later_ones() -> None:
 
 
 def test_a_body_that_creeps_against_a_wall_stops() -> None:
-    """Else its contacts stick and slip in turn, in tens of thousands of steps of 1 µs in some of these runs."""
+    """Else its contacts stick and slip in turn: in some of these runs in ten thousand steps of 1 µs."""
     motion = sp.synthetic_suite("mixed", 40, seed=5)[35].to_intensity("6-upper").scaled(0.80308651)
     room = sp.Room(sp.Floor(0.31030512, 0.24824409), left_wall=sp.Wall(0.01042447))
     for wider in np.linspace(0.0, 1e-6, 6).tolist():

@@ -35,8 +35,8 @@ a flow that begins does not end at once.
 """
 
 PINNED_SPEED, PINNED_REST = 1e-4, 1e-9
-"""Speed up to which a body on three contacts or more comes to rest [m/s], and what rounding leaves of it where
-these hold it.
+"""Speed up to which a body on three contacts or more comes to rest [m/s], and what rounding leaves of it
+where these hold it.
 """
 
 FLOW_TOLERANCE = 0.1
