@@ -1,4 +1,4 @@
-"""Constants of the flow, the motion of a lone body between events (`stayput.mechanics.space.flow`)."""
+"""Constants of the flow of a lone body (`stayput.mechanics.space.flow`), and of the engine's steps beside it."""
 
 MOST_PRESSING = 24
 """Most contacts that press in a flow: corners of a base with many, or of a box on the floor and walls. With
@@ -104,3 +104,13 @@ and of a force that jumps the error of a step sees a hundredth.
 
 FLOW_WORK = 25.0
 """Work of a step on the budget of a run, in updates of a contact."""
+
+SHORTEST, SHORTEST_OF_SEVERAL = 1e-7, 1e-6
+"""Shortest step to where corners of a body alone meet planes; and to where rims or bodies do, which meet more
+often: a rim that rolls and rebounds hits without end [s].
+"""
+
+LENGTH, EVENT, ROUGH, SHORT, LIMIT = range(5)
+"""What a step passes on to the next: its length; that down to which one with an event is halved; plain steps
+to come; shortest steps in a row, and their length.
+"""

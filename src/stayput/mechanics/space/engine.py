@@ -22,11 +22,15 @@ from stayput.compiling import entry, inline, inner
 from stayput.mechanics.space.body import attitude, set_attitude, stop
 from stayput.mechanics.space.closing import TOGETHER, keep, meeting, note_all_gaps
 from stayput.mechanics.space.constants import (
-    FLOW_WORK,
-    IMPULSE_TIME,
+    EVENT,
+    LENGTH,
+    LIMIT,
     PINNED_SPEED,
+    ROUGH,
+    SHORT,
+    SHORTEST,
+    SHORTEST_OF_SEVERAL,
     STEP_AFTER_EVENT,
-    STIFF_PAUSE,
 )
 from stayput.mechanics.space.devices import give, note_forces, note_loads
 from stayput.mechanics.space.events import (
@@ -43,14 +47,13 @@ from stayput.mechanics.space.events import (
 )
 from stayput.mechanics.space.flow import (
     begin_flow,
-    keep_flow,
+    flow_on,
     note_flow,
     pin,
     presses_on_wall,
     settle,
     stands_off,
 )
-from stayput.mechanics.space.flow_step import GOES_ON, HITS, LANDS, STIFF, advance_flow
 from stayput.mechanics.space.penetration import move_out
 from stayput.mechanics.space.rest import (
     SLIPS,
@@ -67,11 +70,6 @@ from stayput.mechanics.space.stepping import RUBS, fastest, mean_push, moves, pu
 
 IGNORED = 1e-12
 """Depth up to which a body that has entered another stays [m]: rounding."""
-
-SHORTEST, SHORTEST_OF_SEVERAL = 1e-7, 1e-6
-"""Shortest step to where corners of a body alone meet planes; and to where rims or bodies do, which meet more
-often: a rim that rolls and rebounds hits without end [s].
-"""
 
 SHORT_STEPS = 8
 """Shortest steps in a row after which they are twice as long: bodies meet that do not come apart."""
@@ -122,11 +120,6 @@ up to a few, as in a moment, and with many at once.
 LYING, FALLEN = 1.0 - math.cos(math.radians(89.0)), 1.0 - math.cos(math.radians(60.0))
 """1 − cos of the tilt from which on a body lies, and from which on one of several does: those of a row that
 has fallen lean on each other. None of them stands up again.
-"""
-
-LENGTH, EVENT, ROUGH, SHORT, LIMIT = range(5)
-"""What a step passes on to the next: its length; that down to which one with an event is halved; plain steps
-to come; shortest steps in a row, and their length.
 """
 
 
@@ -319,41 +312,6 @@ def _shortest(alone):
 
 
 @inner
-def _flow(world, held, poses, acceleration, k, t, numbers, last, scratch, output):
-    """Flow on from the time t after sample k.
-
-    Returns
-    -------
-    tuple
-        How long, 0 where it does not, and the length of the step that the contacts kept are of.
-    """
-    longest, now, pace, memory = numbers[1], poses[0], scratch[11], scratch[12]
-    flow, kept, gaps = memory[0][0], scratch[1][0], scratch[2][0]
-    devices_before = scratch[9], scratch[10]
-    h, how = advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before, memory, output[5])
-    output[5][2] += FLOW_WORK
-    if h > 0.0:
-        now[0] = poses[1, 0]
-        note_peaks(world[0], now, output[4])
-        flow.moved, flow.refused = 1, 0
-    if h > 0.0 and how == GOES_ON:
-        return h, last
-    flow.ready = 0
-    if flow.moved:
-        last = IMPULSE_TIME
-        note_all_gaps(world, now, scratch, gaps)
-        keep_flow(kept, memory)
-        if how == LANDS:
-            settle(world, now, gaps, kept, memory)
-            note_all_gaps(world, now, scratch, gaps)
-    if flow.moved or not flow.refused:
-        pace[LENGTH] = SHORTEST if how == HITS else STEP_AFTER_EVENT * longest
-    flow.refused = 1 if h == 0.0 else 0
-    flow.pause = STIFF_PAUSE if how == STIFF else 0
-    return h, last
-
-
-@inner
 def _accept(world, held, poses, count, time, h, least, refined, numbers, scratch, output):
     """Accept a step of length h that began at a time; return the length of that whose contacts are kept."""
     bodies, now, trial = world[0], poses[0], poses[1]
@@ -476,7 +434,7 @@ def run_in_space(
                 t = part * dt
                 flow.ready = 0
             if flow.ready:
-                h, last = _flow(world, held, poses, acceleration, k, t, numbers, last, scratch, output)
+                h, last = flow_on(world, held, poses, acceleration, k, t, numbers, last, scratch, output)
                 if h > 0.0:
                     t = dt if t + h >= dt - 1e-12 else t + h
                     noted, why = False, TIPS

@@ -15,10 +15,12 @@ import math
 from stayput.compiling import inline, inner
 from stayput.mechanics.space.active_set import kappa_of, project
 from stayput.mechanics.space.body import place_of, stop
-from stayput.mechanics.space.closing import OPEN
+from stayput.mechanics.space.closing import OPEN, note_all_gaps
 from stayput.mechanics.space.columns import BY_ROOM
 from stayput.mechanics.space.constants import (
+    FLOW_WORK,
     IMPULSE_TIME,
+    LENGTH,
     LONGEST_FLOW_STEP,
     PINNED_REST,
     PINNED_SPEED,
@@ -26,9 +28,14 @@ from stayput.mechanics.space.constants import (
     SETTLE_GAP,
     SETTLE_SPEED,
     SETTLED_GAP,
+    SHORTEST,
     SLIP_BEGIN_SPEED,
+    STEP_AFTER_EVENT,
+    STIFF_PAUSE,
 )
 from stayput.mechanics.space.contact import slip, velocity_at
+from stayput.mechanics.space.events import note_peaks
+from stayput.mechanics.space.flow_step import GOES_ON, HITS, LANDS, STIFF, advance_flow
 from stayput.mechanics.space.solve import any_closes_fast
 from stayput.mechanics.space.stepping import fastest
 from stayput.mechanics.space.touching import lever_of_point
@@ -165,3 +172,38 @@ def note_flow(histories, sample, flow):
         histories[0, sample, BY_ROOM + axis] = 0.0
     row = histories[0, sample]
     row[BY_ROOM], row[BY_ROOM + 1], row[BY_ROOM + 2] = flow.px, flow.py, flow.pz
+
+
+@inner
+def flow_on(world, held, poses, acceleration, k, t, numbers, last, scratch, output):
+    """Flow on from the time t after sample k.
+
+    Returns
+    -------
+    tuple
+        How long, 0 where it does not, and the length of the step that the contacts kept are of.
+    """
+    longest, now, pace, memory = numbers[1], poses[0], scratch[11], scratch[12]
+    flow, kept, gaps = memory[0][0], scratch[1][0], scratch[2][0]
+    devices_before = scratch[9], scratch[10]
+    h, how = advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before, memory, output[5])
+    output[5][2] += FLOW_WORK
+    if h > 0.0:
+        now[0] = poses[1, 0]
+        note_peaks(world[0], now, output[4])
+        flow.moved, flow.refused = 1, 0
+    if h > 0.0 and how == GOES_ON:
+        return h, last
+    flow.ready = 0
+    if flow.moved:
+        last = IMPULSE_TIME
+        note_all_gaps(world, now, scratch, gaps)
+        keep_flow(kept, memory)
+        if how == LANDS:
+            settle(world, now, gaps, kept, memory)
+            note_all_gaps(world, now, scratch, gaps)
+    if flow.moved or not flow.refused:
+        pace[LENGTH] = SHORTEST if how == HITS else STEP_AFTER_EVENT * longest
+    flow.refused = 1 if h == 0.0 else 0
+    flow.pause = STIFF_PAUSE if how == STIFF else 0
+    return h, last
