@@ -1,4 +1,4 @@
-"""Constants of the flow of a lone body (`stayput.mechanics.space.flow`), and of the engine's steps beside it."""
+"""Constants of the flow of a lone body (`stayput.mechanics.space.flow`), and of the engine beside it."""
 
 MOST_PRESSING = 24
 """Most contacts that press in a flow: corners of a base with many, or of a box on the floor and walls. With
