@@ -20,6 +20,7 @@ import httpx
 import pytest
 from serving import COMPILING, SCENE
 
+from long_cases import long
 from stayput.app.server import address_of, bind, own_addresses, warning_of, words
 from stayput.catalogue import LANGUAGES
 from stayput.errors import InputError
@@ -80,10 +81,16 @@ def test_it_prints_its_address_warns_and_ends_quietly_on_an_interrupt() -> None:
     assert address.rpartition(":")[2] in warning
 
 
-def test_it_ends_quietly_while_it_compiles(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+@pytest.mark.parametrize("by_llvm", [False, *long(True)])  # for which Numba takes half a minute before
+def test_it_ends_quietly_while_it_compiles(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, by_llvm: bool
+) -> None:
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
-    with process() as (_, started):
-        wait_until(lambda: any(tmp_path.rglob("*.code")))  # of a small function; the others follow
+    with process() as (address, started):
+        with client_at(address) as client:
+            assert client.get("/api/v1/ping").json()["ready"] is False
+        if by_llvm:
+            wait_until(lambda: any(tmp_path.rglob("*.code")))  # of the first function; the others follow
         started.send_signal(signal.SIGINT)
         _, told = started.communicate(timeout=PATIENCE)
     assert (started.returncode, told) == (0, "")

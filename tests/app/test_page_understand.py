@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from browsing import COMPILING, IN_PLANE, opened
+from browsing import COMPILING, IN_PLANE, PLANE, opened
 from serving import hold_verifications
 
 from stayput.app import api
@@ -173,7 +173,7 @@ def test_a_first_look_has_its_headline_and_its_ranking_of_the_same_runs(
         return verify(scenario, on_verdict=told, **more)
 
     monkeypatch.setattr(api, "verify", held)
-    with opened(browser, server, verify=True) as it:
+    with opened(browser, server, PLANE, verify=True) as it:
         it.page.wait_for_selector("#ranking-rough:not([hidden])", timeout=COMPILING)
         assert "runs of each: 4. It may still change" in it.text("#ranking-rough")
         assert it.page.locator("#ranking .option").count() > 3
@@ -191,7 +191,7 @@ def test_a_first_look_has_its_headline_and_its_ranking_of_the_same_runs(
 def test_what_this_floor_refuses_stands_below_the_ranking_with_the_reason(
     browser: Browser, server: Running
 ) -> None:
-    with opened(browser, server, "#piece=bookcase&floor=carpet&measures=l_bracket", verify=True) as it:
+    with opened(browser, server, "#piece=bookcase&inSpace=0&floor=carpet&measures=l_bracket", verify=True) as it:
         it.go("understand")
         it.wait("() => document.querySelector('#ranking .impossible') !== null")
         assert it.page.locator("#ranking .yours").count() == 1
