@@ -191,7 +191,8 @@ def test_a_first_look_has_its_headline_and_its_ranking_of_the_same_runs(
 def test_what_this_floor_refuses_stands_below_the_ranking_with_the_reason(
     browser: Browser, server: Running
 ) -> None:
-    with opened(browser, server, "#piece=bookcase&inSpace=0&floor=carpet&measures=l_bracket", verify=True) as it:
+    link = f"{PLANE}&floor=carpet&measures=l_bracket"
+    with opened(browser, server, link, verify=True) as it:
         it.go("understand")
         it.wait("() => document.querySelector('#ranking .impossible') !== null")
         assert it.page.locator("#ranking .yours").count() == 1

@@ -68,6 +68,7 @@ SERVES = [["app"]]
 
 WRITES = ("--plot", "--animate", "--report", "--out")
 
+
 @pytest.fixture
 def beside_examples(tmp_path, monkeypatch):
     copy_examples(tmp_path)

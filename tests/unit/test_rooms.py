@@ -281,9 +281,7 @@ def test_nobody_is_hit_by_what_is_fixed_well():
 def test_a_room_without_doors_and_places_is_verified_in_several_blocks():
     shaking = {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 2}}
     empty = sp.verify(
-        changed(
-            furniture=piece(), doors=[], places=[], shaking=shaking, uncertainty={"samples": 24}
-        ),
+        changed(furniture=piece(), doors=[], places=[], shaking=shaking, uncertainty={"samples": 24}),
         progress=False,
     )
     assert (empty.motions, empty.complete) == (2, True)

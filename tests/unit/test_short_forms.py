@@ -14,7 +14,7 @@ from stayput.measures import LBracket
 
 BODY = sp.Body(0.3, 1.8, 90.0)
 ROOM = sp.Room(sp.Floor.of("carpet"), left_wall=sp.Wall(0.02))
-SHAKING: dict[str, Any] = {"intensity": "6-upper", "suite": {"count": 4}}
+SHAKING: dict[str, Any] = {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 4}}
 
 
 @pytest.fixture(scope="module")

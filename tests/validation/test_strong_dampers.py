@@ -66,9 +66,7 @@ def needed(along: float) -> tuple[float, ...]:
     scenario = sp.Scenario.parse(
         {
             "plan": {"width": 3.6, "length": 2.7},
-            "furniture": [
-                {"name": "bookcase", "preset": "bookcase", "against": "left_wall", "along": along}
-            ],
+            "furniture": [{"name": "bookcase", "preset": "bookcase", "against": "left_wall", "along": along}],
             "shaking": {"intensity": "6-upper", "suite": {"family": "mixed", "count": 6}},
             "uncertainty": {"samples": 6},
         }
