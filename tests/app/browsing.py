@@ -220,7 +220,7 @@ def new_page(
     return page
 
 
-PLANE = "#inSpace=0"
+PLANE = "#piece=bookcase&inSpace=0"
 IN_PLANE = "#piece=bookcase&shelves=33,33,33,33,33&inSpace=0&measures=l_bracket"
 """Address of the page with a piece that is shaken in the plane: its runs are quick, and list every event."""
 

@@ -27,30 +27,13 @@ if TYPE_CHECKING:
     from stayput.verification import Verdict
 
 
-def finished(it: Opened) -> dict:
-    """Wait for all of the answers; return the verdict."""
-    with it.page.expect_response(
-        lambda answer: "/jobs/" in answer.url and _ranked(answer), timeout=COMPILING
-    ) as found:
-        it.page.click("#verify", timeout=COMPILING)  # it is there once the first verification has ended
-    it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
-    return found.value.json()["result"]
-
-
-def _ranked(answer) -> bool:
-    result = answer.json().get("result") if answer.ok and answer.request.method == "GET" else None
-    return bool(result) and result["complete"] and len(result["options"]) > 3
-
-
 @pytest.fixture(scope="module")
 def verified(browser: Browser, server: Running) -> Iterator[tuple[Opened, dict]]:
-    asked: list[dict] = []
     with opened(browser, server, IN_PLANE, verify=True) as it:
         it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
-        it.page.on("request", lambda one: one.url.endswith("/verify") and asked.append(one.post_data_json))
-        verdict = finished(it)
-        assert [each["curves"] for each in asked] == [True]  # one verification has all that is shown
-        yield it, verdict
+        assert sum(url.endswith("/verify") for url in it.asked) == 1  # one verification has all that is shown
+        job = it.page.get_attribute("#understand", "data-job")
+        yield it, it.page.request.get(f"{server.address}/api/v1/jobs/{job}").json()["result"]
 
 
 def shown(share: float) -> str:
@@ -82,6 +65,10 @@ def test_the_ranking_is_the_verdicts(verified: tuple[Opened, dict]) -> None:
         if option["measures"]:
             assert option["label"]["en"] in text
     assert "yours" in it.text("#ranking .yours")
+    lengths = it.page.eval_on_selector_all(
+        "#ranking .bar", "all => all.map(one => Math.round(one.getBoundingClientRect().width))"
+    )
+    assert len(set(lengths)) == 1  # one scale for all, the reader's own among them
 
 
 def test_the_curves_say_where_the_scene_is(verified: tuple[Opened, dict]) -> None:
