@@ -13,7 +13,10 @@ from stayput.montecarlo.counting import OVERTURNED, Members
 from stayput.scenario.measures import Option
 from stayput.verification.option_runner import OptionRunner
 
-SHAKEN = {"shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 4}}}
+SHAKEN = {
+    "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 4}},
+    "uncertainty": {"samples": 4},
+}
 SIZES = {"name": "bookcase", "width": 0.3, "height": 1.8, "mass": 200.0, "length": 0.9}
 AT_THE_WALL = {**SIZES, "against": "left_wall", "along": 5.0, "gap": 0.02}
 BEHIND = {"left_wall": {"gap": 0.02}}
@@ -24,7 +27,6 @@ def chest(name: str, **place: Any) -> dict[str, Any]:
     return {"name": name, "width": 0.45, "height": 0.8, "mass": 60.0, "length": 0.9, **place}
 
 
-SHAKEN["uncertainty"] = {"samples": 4}
 PLACES: dict[str, dict[str, Any]] = {
     "alone": {"furniture": SIZES, "room": BEHIND},
     "in a scene of three": {
