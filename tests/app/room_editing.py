@@ -25,7 +25,7 @@ ROOM: dict[str, Any] = {
     "doors": [{"wall": "right_wall", "start": 0.1, "width": 0.7}],
     "windows": [{"wall": "far_side_wall", "start": 1.0, "width": 1.2}],
     "room": {"ceiling": {"height": 2.4}},
-    "shaking": {"intensity": "6-upper", "suite": {"family": "mixed", "count": 4}},
+    "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 4}},
     "uncertainty": {"samples": 4},
 }
 

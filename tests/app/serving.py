@@ -47,10 +47,14 @@ AS_BEFORE = "x-stayput-as-before"
 """Header of pages to which any run will do: all are answered with the first that one of them asked for."""
 
 
+SIMULATE = "/api/v1/simulate"
+
+
 class Remembered:
     """An app that simulates for its pages once: the same question gets the bytes of the first answer again.
 
-    Programs are always answered by the app itself, as are pages about records, which may be gone by then.
+    So do the files that pages are made of, seventy each. Programs are always answered by the app itself, as
+    are pages about records, which may be gone by then.
     """
 
     def __init__(self, app: ASGIApp) -> None:
@@ -59,7 +63,9 @@ class Remembered:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         headers = dict(scope.get("headers", ()))
-        if scope.get("path") != "/api/v1/simulate" or b"sec-fetch-mode" not in headers:  # which browsers send
+        path = scope.get("path", "")
+        is_file = not path.startswith("/api/")
+        if b"sec-fetch-mode" not in headers or not (is_file or path == SIMULATE):  # which browsers send
             await self._app(scope, receive, send)
             return
         asked: list[Message] = [await receive()]
@@ -67,7 +73,7 @@ class Remembered:
             asked.append(await receive())
         body = b"".join(message.get("body", b"") for message in asked)
         question = b"" if AS_BEFORE.encode() in headers else body
-        key = (question, headers.get(b"accept-encoding"), headers.get(b"accept-language"))
+        key = (path.encode(), question, headers.get(b"accept-encoding"), headers.get(b"accept-language"))
         answer: list[Message] = []
 
         async def receive_again() -> Message:

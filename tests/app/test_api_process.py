@@ -1,4 +1,4 @@
-"""`stayput app` as a process of its own: its address, its memory, its end; and the page inside the wheel."""
+"""`stayput app` as a process of its own: its address, its memory, its end; and the files of its page."""
 
 from __future__ import annotations
 
@@ -8,10 +8,8 @@ import signal
 import socket
 import subprocess
 import sys
-import zipfile
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 from urllib.parse import urljoin
@@ -20,6 +18,7 @@ import httpx
 import pytest
 from serving import COMPILING, SCENE
 
+from long_cases import long
 from stayput.app.server import address_of, bind, own_addresses, warning_of, words
 from stayput.catalogue import LANGUAGES
 from stayput.errors import InputError
@@ -29,10 +28,8 @@ if TYPE_CHECKING:
     from collections.abc import Generator
 
 
-ROOT = Path(__file__).parents[2]
-APP = ROOT / "src/stayput/app"
+APP = Path(__file__).parents[2] / "src/stayput/app"
 PAGE = APP / "page"
-CANVAS = ROOT / "src/stayput/report/canvas"
 RECORD = "1\n-1\n0\n2\n" * 500
 GIVEN = {"unit": "gal", "dt": "0.01"}
 STATUS = Path("/proc/self/status")
@@ -80,10 +77,16 @@ def test_it_prints_its_address_warns_and_ends_quietly_on_an_interrupt() -> None:
     assert address.rpartition(":")[2] in warning
 
 
-def test_it_ends_quietly_while_it_compiles(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+@pytest.mark.parametrize("by_llvm", [False, *long(True)])  # for which Numba takes half a minute before
+def test_it_ends_quietly_while_it_compiles(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, by_llvm: bool
+) -> None:
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
-    with process() as (_, started):
-        wait_until(lambda: any(tmp_path.rglob("*.code")))  # of a small function; the others follow
+    with process() as (address, started):
+        with client_at(address) as client:
+            assert client.get("/api/v1/ping").json()["ready"] is False
+        if by_llvm:
+            wait_until(lambda: any(tmp_path.rglob("*.code")))  # of the first function; the others follow
         started.send_signal(signal.SIGINT)
         _, told = started.communicate(timeout=PATIENCE)
     assert (started.returncode, told) == (0, "")
@@ -178,35 +181,6 @@ def test_an_address_of_version_6_is_in_brackets() -> None:
             assert address_of(bound).startswith("http://[::1]:")
     except InputError:
         pytest.skip("this machine has no IPv6 loopback")
-
-
-@pytest.mark.skipif(find_spec("hatchling") is None, reason="hatchling, which builds the wheel, is absent")
-def test_the_page_is_in_the_wheel(tmp_path: Path) -> None:
-    options = ("--no-deps", "--no-build-isolation", "--no-index", "--disable-pip-version-check", "-q")
-    wheel_of = [sys.executable, "-m", "pip", "wheel", *options, "-w", str(tmp_path), str(ROOT)]
-    subprocess.run(wheel_of, check=True, capture_output=True)
-    (wheel,) = tmp_path.glob("stayput-*.whl")
-    with zipfile.ZipFile(wheel) as archive:
-        names = set(archive.namelist())
-        archive.extractall(tmp_path / "unpacked")
-    files = {
-        f"stayput/app/{page}/{file.name}" for page in ("page", "room_page") for file in (APP / page).iterdir()
-    }
-    files |= {f"stayput/report/canvas/{file.name}" for file in CANVAS.iterdir()}
-    assert files <= names
-    assert {"stayput/app/page/index.html", "stayput/app/templates/page_parts.html"} <= names
-    assert "stayput/app/templates/page_parts.html" in names
-    code = (
-        "from stayput.app import server;"
-        "print(len(server.PackageFiles('stayput.report', 'canvas').all_directories), server.__file__)"
-    )
-    environment = {"PYTHONPATH": str(tmp_path / "unpacked")}
-    done = subprocess.run(
-        [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True
-    )
-    count, place = done.stdout.split()
-    assert int(count) == 1
-    assert place.startswith(str(tmp_path))
 
 
 def test_the_page_s_files_are_served_with_their_kinds(client: httpx.Client) -> None:

@@ -29,29 +29,29 @@ IN_A_ROOM: dict[str, Any] = {
 }
 
 
-@pytest.mark.parametrize("kind", MEASURES)
-def test_a_measure_on_a_lone_piece_is_simulated_verified_and_reported(kind: str) -> None:
-    room = {"left_wall": {"gap": 0.02}, **FEW["room"]}
+def test_measures_on_a_lone_piece_are_simulated_verified_and_reported() -> None:
     scene = {
         "dimensions": 2,
         "furniture": BOOKCASE,
         "shaking": SHAKING,
-        "measures": [{"type": kind}],
+        "measures": [{"type": kind} for kind in MEASURES],
         **FEW,
-        "room": room,
+        "room": {"left_wall": {"gap": 0.02}, **FEW["room"]},
     }
     scenario = sp.Scenario.parse(scene)
     verdict = sp.verify(scenario, levels=[], progress=False)
-    label = MEASURES[kind].label
-    assert {option.option.name for option in verdict.options} == {"none", kind}
-    run = scenario.run(scenario.options[0].measures)
-    assert {device.kind for device in run.devices} <= {kind}
+    assert {option.option.name for option in verdict.options} == {"none", *MEASURES}
+    data, table = verdict.to_json(), verdict.to_csv()
+    runs = {option.name: scenario.run(option.measures) for option in scenario.options}
     for number, language in enumerate(LANGUAGES):
-        for report in (html.unescape(report_html(verdict, language)), verdict.to_markdown(language)):
-            assert label[number] in report
-        assert (label[number] in str(rows(run, language))) == bool(run.devices)
-    assert kind in verdict.to_json()
-    assert kind in verdict.to_csv()
+        reports = html.unescape(report_html(verdict, language)), verdict.to_markdown(language)
+        for kind, measure in MEASURES.items():
+            label = measure.label[number]
+            assert all(label in report for report in reports), kind
+            assert {device.kind for device in runs[kind].devices} <= {kind}
+            assert (label in str(rows(runs[kind], language))) == bool(runs[kind].devices), kind
+            assert kind in data
+            assert kind in table
 
 
 @pytest.mark.parametrize("kind", MEASURES)

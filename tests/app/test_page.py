@@ -10,6 +10,7 @@ import pytest
 from browsing import Opened, opened
 
 import stayput as sp
+from long_cases import long
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -293,7 +294,7 @@ def test_a_record_is_dropped_and_its_unit_asked_for(browser: Browser, server: Ru
         assert answer["motion"]["pga_m_s2"] == pytest.approx(3.0)
 
 
-@pytest.mark.parametrize(("up", "refused"), [(-9.81, True), (0.3, False)])
+@pytest.mark.parametrize(("up", "refused"), [(-9.81, True), *long((0.3, False))])
 def test_the_mean_of_a_record_is_taken_off(
     browser: Browser, server: Running, up: float, refused: bool
 ) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import COMPILING, PHONE, opened
+from browsing import COMPILING, PHONE, PLANE, opened
 from serving import hold_verifications
 
 from waiting import wait_until
@@ -37,7 +37,7 @@ def test_a_page_that_is_left_takes_its_verification_along(
 
 
 def test_a_job_that_the_server_has_lost_is_begun_again(browser: Browser, server: Running) -> None:
-    with opened(browser, server, verify=True, allowed=("404",)) as it:
+    with opened(browser, server, PLANE, verify=True, allowed=("404",)) as it:
         lost = []
 
         def lose(route: Route) -> None:

@@ -76,7 +76,7 @@ def forget(server: Running) -> None:
 def test_a_small_vertical_record_travels_with_the_horizontal_one(
     browser: Browser, server: Running, tmp_path: Path
 ) -> None:
-    with opened(browser, server, "#piece=chest", allowed=LOST) as it:
+    with opened(browser, server, "#piece=chest&inSpace=0", allowed=LOST) as it:
         sent(it, small_record(tmp_path, 6.0))
         take_vertical(it, small_vertical(tmp_path))
         it.wait("() => location.hash.includes('verticalWave=')")
@@ -100,7 +100,7 @@ def test_a_small_vertical_record_travels_with_the_horizontal_one(
 def test_a_vertical_record_that_does_not_fit_is_said_to_be_missing(
     browser: Browser, server: Running, tmp_path: Path
 ) -> None:
-    with opened(browser, server, "#piece=chest", allowed=LOST) as it:
+    with opened(browser, server, "#piece=chest&inSpace=0", allowed=LOST) as it:
         sent(it, small_record(tmp_path))
         take_vertical(it, small_vertical(tmp_path, 20.0))
         it.go("keep")
@@ -119,7 +119,7 @@ def test_a_vertical_record_that_does_not_fit_is_said_to_be_missing(
 def test_back_and_forward_bring_records_and_screens_back(
     browser: Browser, server: Running, tmp_path: Path
 ) -> None:
-    with opened(browser, server, "#piece=chest", allowed=LOST) as it:
+    with opened(browser, server, "#piece=chest&inSpace=0", allowed=LOST) as it:
         sent(it, small_record(tmp_path))
         it.kept("dt=0.02")
         it.simulated(lambda: it.page.click("text=Without this record"))

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from browsing import COMPILING, IN_PLANE, opened
+from browsing import COMPILING, IN_PLANE, PLANE, opened
 from serving import hold_verifications
 
 from stayput.app import api
@@ -27,30 +27,13 @@ if TYPE_CHECKING:
     from stayput.verification import Verdict
 
 
-def finished(it: Opened) -> dict:
-    """Wait for all of the answers; return the verdict."""
-    with it.page.expect_response(
-        lambda answer: "/jobs/" in answer.url and _ranked(answer), timeout=COMPILING
-    ) as found:
-        it.page.click("#verify", timeout=COMPILING)  # it is there once the first verification has ended
-    it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
-    return found.value.json()["result"]
-
-
-def _ranked(answer) -> bool:
-    result = answer.json().get("result") if answer.ok and answer.request.method == "GET" else None
-    return bool(result) and result["complete"] and len(result["options"]) > 3
-
-
 @pytest.fixture(scope="module")
 def verified(browser: Browser, server: Running) -> Iterator[tuple[Opened, dict]]:
-    asked: list[dict] = []
     with opened(browser, server, IN_PLANE, verify=True) as it:
         it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
-        it.page.on("request", lambda one: one.url.endswith("/verify") and asked.append(one.post_data_json))
-        verdict = finished(it)
-        assert [each["curves"] for each in asked] == [True]  # one verification has all that is shown
-        yield it, verdict
+        assert sum(url.endswith("/verify") for url in it.asked) == 1  # one verification has all that is shown
+        job = it.page.get_attribute("#understand", "data-job")
+        yield it, it.page.request.get(f"{server.address}/api/v1/jobs/{job}").json()["result"]
 
 
 def shown(share: float) -> str:
@@ -82,6 +65,10 @@ def test_the_ranking_is_the_verdicts(verified: tuple[Opened, dict]) -> None:
         if option["measures"]:
             assert option["label"]["en"] in text
     assert "yours" in it.text("#ranking .yours")
+    lengths = it.page.eval_on_selector_all(
+        "#ranking .bar", "all => all.map(one => Math.round(one.getBoundingClientRect().width))"
+    )
+    assert len(set(lengths)) == 1  # one scale for all, the reader's own among them
 
 
 def test_the_curves_say_where_the_scene_is(verified: tuple[Opened, dict]) -> None:
@@ -173,7 +160,7 @@ def test_a_first_look_has_its_headline_and_its_ranking_of_the_same_runs(
         return verify(scenario, on_verdict=told, **more)
 
     monkeypatch.setattr(api, "verify", held)
-    with opened(browser, server, verify=True) as it:
+    with opened(browser, server, PLANE, verify=True) as it:
         it.page.wait_for_selector("#ranking-rough:not([hidden])", timeout=COMPILING)
         assert "runs of each: 4. It may still change" in it.text("#ranking-rough")
         assert it.page.locator("#ranking .option").count() > 3
@@ -191,7 +178,8 @@ def test_a_first_look_has_its_headline_and_its_ranking_of_the_same_runs(
 def test_what_this_floor_refuses_stands_below_the_ranking_with_the_reason(
     browser: Browser, server: Running
 ) -> None:
-    with opened(browser, server, "#piece=bookcase&floor=carpet&measures=l_bracket", verify=True) as it:
+    link = f"{PLANE}&floor=carpet&measures=l_bracket"
+    with opened(browser, server, link, verify=True) as it:
         it.go("understand")
         it.wait("() => document.querySelector('#ranking .impossible') !== null")
         assert it.page.locator("#ranking .yours").count() == 1

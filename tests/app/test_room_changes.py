@@ -154,7 +154,7 @@ def test_what_is_ticked_of_the_home_stays_with_the_room(browser: Browser, server
         plain = it.page.evaluate("location.hash")
         box.check()
         it.wait("(plain) => location.hash !== plain", plain)
-        it.page.wait_for_timeout(1000)  # longer than what settles before the server is asked
+        it.page.wait_for_timeout(300)  # longer than what settles before the server is asked
         assert len(judge.asked) == 1
         assert it.page.locator("#answer[data-old=false]").count() == 1
         link = it.page.url

@@ -202,7 +202,7 @@ def test_chances_on_the_card_have_their_intervals(plan: sp.ActionPlan):
 
 
 def test_on_tatami_there_is_neither_gel_nor_a_wedge():
-    scenario = room(furniture=ROOM["furniture"][:1], uncertainty={"samples": 16})
+    scenario = room(furniture=ROOM["furniture"][:1])
     soft = planned(scenario, tatami=True, plasterboard=True)
     assert fixes(soft)
     assert {kind for fix in fixes(soft) for kind in fix.kinds} <= {"l_bracket", "belt", "tension_pole"}

@@ -42,7 +42,7 @@ def test_numbers_are_taken_as_they_come(like: Any):
     assert np.array_equal(curve.probability(like([3.0, 4.0])), curve.probability([3.0, 4.0]))
     swept = sp.sweep(sp.Case(BODY, ROOM, motion), {"body.width": like([0.25, 0.5])})
     assert swept.overturned.shape == (2,)
-    verdict = sp.verify(BODY, ROOM, shaking=5.0, samples=2, levels=like([5.0, 6.0]), progress=False)
+    verdict = sp.verify(BODY, ROOM, shaking=motion, samples=2, levels=like([5.0, 6.0]), progress=False)
     assert np.array_equal(verdict.levels, [5.0, 6.0])
 
 

@@ -2,11 +2,11 @@
 
 import re
 import shlex
-import shutil
 import tomllib
 from pathlib import Path
 
 import pytest
+from few_runs import copy_examples
 from PIL import Image
 from typer.main import get_command
 from typer.testing import CliRunner
@@ -68,27 +68,10 @@ SERVES = [["app"]]
 
 WRITES = ("--plot", "--animate", "--report", "--out")
 
-FEWER = {
-    "bookcase.toml": {"count = 40": "count = 6", "[shaking]": "[uncertainty]\nsamples = 6\n[shaking]"},
-    "bedroom.toml": {"count = 20": "count = 6", "[shaking]": "[uncertainty]\nsamples = 6\n[shaking]"},
-    "kitchen.toml": {
-        'intensity = "6-lower"': 'intensity = "6-lower"\nsuite = { count = 6 }',
-        "[uncertainty]": "[uncertainty]\nsamples = 6",
-    },
-}
-"""Fewer runs of the examples: as they are, the bookcase takes four seconds and the kitchen thirty."""
-
 
 @pytest.fixture
 def beside_examples(tmp_path, monkeypatch):
-    shutil.copytree(ROOT / "examples", tmp_path / "examples")
-    for name, changes in FEWER.items():
-        file = tmp_path / "examples" / name
-        text = file.read_text(encoding="utf-8")
-        for usual, fewer in changes.items():
-            assert usual in text
-            text = text.replace(usual, fewer)
-        file.write_text(text, encoding="utf-8")
+    copy_examples(tmp_path)
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
@@ -114,7 +97,7 @@ def test_the_readmes_picture_shows_what_its_command_prints():
 def test_the_readmes_python_runs(beside_examples, capsys):
     told = {}
     for block in re.findall(r"```python\n(.*?)```", README, re.DOTALL):
-        exec(block, told)
+        exec(block.replace('shaking="6-upper"', 'shaking="6-upper", samples=4'), told)
     assert "overturned" in capsys.readouterr().out
     for name in ("bookcase.png", "bookcase.html", "verdict.html"):
         assert (beside_examples / name).stat().st_size > 10_000

@@ -6,13 +6,13 @@ from pathlib import Path
 
 import nbformat
 import pytest
+from few_runs import EXAMPLES, copy_examples
 from nbclient import NotebookClient
 
 import stayput as sp
 from stayput.cli.flags import EXAMPLE
 
 PAGES = Path(__file__).parents[2] / "docs"
-EXAMPLES = PAGES.parent / "examples"
 PYTHON = re.compile(r"```python\n(.*?)```", re.DOTALL)
 QUOTED = re.compile(r'^([\w.()\[\], ]+?)  # "(.*)"$', re.MULTILINE)
 """A value on its own line, with the text that it is."""
@@ -39,12 +39,7 @@ def test_the_pages_are_found():
 @pytest.mark.parametrize("name", RUN)
 def test_the_python_of_a_page_runs(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "examples").mkdir()
-    for file in EXAMPLES.glob("*.toml"):  # with few motions and samples
-        few = re.sub(r"\b(count|samples) = \d+", r"\1 = 4", file.read_text(encoding="utf-8"))
-        if "samples = " not in few:
-            few = few.replace("[uncertainty]\n", "") + "\n[uncertainty]\nsamples = 4\n"
-        (tmp_path / "examples" / file.name).write_text(few, encoding="utf-8")
+    copy_examples(tmp_path)
     told = {}
     for block in BLOCKS[name]:
         exec(block, told)

@@ -13,7 +13,6 @@ import stayput as sp
 from stayput.app.verification import verdict_reply
 from stayput.measures import MEASURES, GelMats, LBracket, LockedCasters, parameters
 from stayput.measures.measure import GRADE_OF, MEANINGS, Grade
-from stayput.report.verdict.html import report_html
 from stayput.report.verdict.tables import verdict_csv, verdict_markdown
 from stayput.scenario.measures import Option
 from stayput.verification.notes import APART, notes
@@ -101,13 +100,13 @@ def test_every_form_of_a_verdict_carries_the_grades(language):
     verdict = verdict_cases.made()
     place = 0 if language == "en" else 1
     for text in (
-        html.unescape(report_html(verdict, language)),
+        html.unescape(verdict_cases.page(language)),
         verdict_markdown(verdict, language).replace("\\", ""),
     ):
         assert MEANINGS[Grade.C][place] in text
         for note in verdict.notes(language):
             assert note.replace("ζ", "") in text.replace("ζ", "").replace("\N{NO-BREAK SPACE}", " ")
-    assert report_html(verdict, language).count("tag gradeC") >= 2 * len(verdict.options)
+    assert verdict_cases.page(language).count("tag gradeC") >= 2 * len(verdict.options)
     data = json.loads(verdict.to_json())
     assert [one["grade"] for one in data["options"]] == ["C", "C", "C"]
     assert data["options"][0]["inputs"][0]["en"] == "size and mass of the piece"

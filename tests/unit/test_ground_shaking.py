@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from stayput.app.running import ShakingReply
 
 QUAKE = {"magnitude": 7.0, "distance": 20.0}
+NEAR = {"family": "near-fault"}
 LEAST = {"furniture": {"preset": "bookcase"}}
 
 
@@ -144,7 +145,7 @@ def test_a_motion_is_scaled_to_the_spectral_acceleration_of_both_components(peri
 
 def test_curves_are_drawn_over_mercalli_intensities_and_spectral_accelerations_too() -> None:
     sa = spectral_acceleration(0.3)
-    wanted = scenario(intensity=6.0, suite={"count": 4})
+    wanted = scenario(intensity=6.0, suite=NEAR | {"count": 4})
     verdict = verify(wanted, levels=[5.5, 6.0], intensity_measures=[MMI, sa, PGA], progress=False)
     curve = verdict.without.curves
     assert set(curve) == {*INTENSITY_MEASURES.values(), MMI, sa}
@@ -166,7 +167,7 @@ def test_curves_are_drawn_over_mercalli_intensities_and_spectral_accelerations_t
     [{"pga": 4.0}, {"pgv": 0.4}, {"sa": {"period": 0.3, "value": 8.0}}, {"mmi": 8.0}, {"earthquake": QUAKE}],
 )
 def test_a_verdict_says_what_was_stated_and_by_which_source(keys: dict[str, Any]) -> None:
-    verdict = verify(scenario(**keys, suite={"count": 6}), levels=[], progress=False)
+    verdict = verify(scenario(**keys, suite=NEAR | {"count": 6}), levels=[], progress=False)
     data = json.loads(json.dumps(verdict_data(verdict)))
     strength = verdict.scenario.shaking.strength
     assert strength is not None
@@ -188,7 +189,7 @@ def test_a_verdict_says_what_was_stated_and_by_which_source(keys: dict[str, Any]
 
 
 def test_every_option_meets_the_same_strengths_and_a_replay_has_its_own() -> None:
-    wanted = scenario(mmi=8.0, suite={"count": 6})
+    wanted = scenario(mmi=8.0, suite=NEAR | {"count": 6})
     verdict = verify(wanted, levels=[], progress=False)
     ground = wanted.ground()
     floors = ScaledMotions(ground).stated(wanted.shaking.strength, None, verdict.seed)
@@ -201,7 +202,7 @@ def test_every_option_meets_the_same_strengths_and_a_replay_has_its_own() -> Non
 def test_the_curves_are_those_of_the_same_scenario_at_an_intensity() -> None:
     """Curves are drawn against intensities, to which every motion is scaled, whatever is stated."""
     by_quake, by_intensity = (
-        verify(scenario(**keys, suite={"count": 6}), levels=[5.0, 6.0], progress=False).without
+        verify(scenario(**keys, suite=NEAR | {"count": 6}), levels=[5.0, 6.0], progress=False).without
         for keys in ({"earthquake": QUAKE}, {"intensity": 5.5})
     )
     first, second = (one.curves[JMA_INTENSITY] for one in (by_quake, by_intensity))
@@ -247,7 +248,7 @@ def test_a_still_motion_has_no_peak_to_scale_to(tmp_path: Path) -> None:
 
 
 def test_the_inventorys_ground_is_scaled_alike() -> None:
-    wanted = scenario(earthquake=QUAKE, suite={"count": 6})
+    wanted = scenario(earthquake=QUAKE, suite=NEAR | {"count": 6})
     ground = ScaledMotions(wanted.ground())
     factors = ground.stated_factors(wanted.shaking.strength, None, 3)
     peaks = [
@@ -265,13 +266,13 @@ def test_the_server_says_what_it_amounts_to() -> None:
         return shaking_reply(service.shaken({**LEAST, "shaking": shaking}, []))
 
     try:
-        told = asked(earthquake=QUAKE, suite={"count": 12})
+        told = asked(earthquake=QUAKE, suite=NEAR | {"count": 12})
         assert told.deviation > 0.3
         assert told.sentence.en.startswith(f"About JMA intensity {told.intensity:.1f} ± ")
         assert "震度" in told.sentence.ja
         assert told.about is not None
         assert "Si and Midorikawa (1999)" in told.about.en
-        exact = asked(intensity="6-upper", suite={"count": 3})
+        exact = asked(intensity="6-upper", suite=NEAR | {"count": 3})
         assert (exact.intensity, exact.deviation) == (pytest.approx(6.25), pytest.approx(0.0, abs=1e-9))
         assert exact.intensity_class == "6-upper"
         with pytest.raises(RefusedError) as refused:

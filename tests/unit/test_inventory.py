@@ -303,7 +303,7 @@ def test_rejects_alone_are_a_failure(tmp_path):
 def test_the_example_runs(tmp_path):
     examples = Path(__file__).parents[2] / "examples" / "city"
     text = (examples / "city.toml").read_text(encoding="utf-8")
-    quick = text.replace("count = 80", "count = 10").replace("[uncertainty]", "[uncertainty]\nsamples = 80")
+    quick = text.replace("count = 80", "count = 10").replace("[uncertainty]", "[uncertainty]\nsamples = 40")
     scenario = city(tmp_path, f"dimensions = 2\n{quick}")
     done = assess(examples / "inventory.csv", scenario, tmp_path / "out", progress=False)
     assert done.facts["rejects"] == 0

@@ -111,7 +111,7 @@ def test_a_difference_is_that_of_a_verification_run_by_run():
 def test_measures_that_do_nothing_are_seldom_said_to_help(falls, slides):
     """Chosen among eight by the runs that score it, the best of them seems to help every piece."""
     rng = np.random.default_rng(3)
-    rows, sets, shape = 300, 8, (20, 5)
+    rows, sets, shape = 100, 8, (20, 5)
     seeming = helped = by_cost = strong = 0
     for _ in range(rows):
         of_motion = rng.random((2, shape[0], 1)) - 0.5  # what the runs of a motion have in common

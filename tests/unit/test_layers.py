@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections import Counter
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -38,6 +39,11 @@ DRAWN = "report"
 """What a method that draws a value may import, where it is called."""
 
 
+@cache
+def tree_of(file: Path) -> ast.Module:
+    return ast.parse(file.read_text(encoding="utf-8"))
+
+
 def part_of(file: Path) -> str:
     return file.relative_to(SOURCES).parts[0].removesuffix(".py")
 
@@ -55,7 +61,7 @@ def imports(file: Path) -> list[tuple[str, bool]]:
         for child in ast.iter_child_nodes(node):
             visit(child, inner)
 
-    visit(ast.parse(file.read_text(encoding="utf-8")), True)
+    visit(tree_of(file), True)
     return found
 
 
@@ -78,7 +84,7 @@ def test_a_part_imports_from_those_below(part):
 
 def types(file: Path) -> list[str]:
     """Return the names of a module's classes and of its aliases of types, which are written like classes."""
-    tree = ast.parse(file.read_text(encoding="utf-8"))
+    tree = tree_of(file)
     names = [node.name for node in ast.walk(tree) if isinstance(node, ast.ClassDef)]
     checked = [node for node in tree.body if isinstance(node, ast.If)]  # types that only a checker reads
     for node in (*tree.body, *(inner for block in checked for inner in block.body)):
@@ -102,7 +108,7 @@ VAGUE = {"one", "own", "told", "found", "given"}
 def vague_names(file: Path) -> list[str]:
     return [
         f"{file.relative_to(SOURCES)}:{node.lineno} {name}"
-        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+        for node in ast.walk(tree_of(file))
         if (isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store) and (name := node.id) in VAGUE)
         or (isinstance(node, ast.arg) and (name := node.arg) in VAGUE)
     ]

@@ -33,8 +33,8 @@ ROOM: dict[str, Any] = {
         {"name": "north", **SHELF, "against": "far_side_wall", "along": 3.0},
     ],
     "places": [{"kind": "desk", "at": [1.4, 2.5]}],
-    "shaking": {"intensity": "6-upper", "suite": {"family": "mixed", "count": 16}},
-    "uncertainty": {"samples": 32},
+    "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 8}},
+    "uncertainty": {"samples": 16},
 }
 
 
@@ -47,13 +47,13 @@ SIDE_BY_SIDE: dict[str, Any] = {
 }
 
 
-def ran(table: dict[str, Any], runs: int = 32) -> Runs:
+def ran(table: dict[str, Any], runs: int = 16) -> Runs:
     runner = OptionRunner(Scenario.parse(table), 0.1, 1)
     (made,) = runner.run([runner.scenario.stated], runner.members.chosen(slice(runs)), keep=True)
     return made
 
 
-def made_runs(table: dict[str, Any], runs: int = 32) -> int:
+def made_runs(table: dict[str, Any], runs: int = 16) -> int:
     counts: list[int] = []
     runner = OptionRunner(Scenario.parse(table), 0.1, 1, advance=counts.append)
     runner.run([runner.scenario.stated], runner.members.chosen(slice(runs)))
@@ -137,14 +137,14 @@ def test_measures_run_by_kind() -> None:
         assert (runs.results[:, piece] != each[0].results[:, piece]).any()
 
 
-@pytest.mark.parametrize("run", [0, 9, 18, 27])
-def test_a_run_made_again_is_the_one_that_was_counted(run: int) -> None:
+def test_a_run_made_again_is_the_one_that_was_counted() -> None:
     runs, scenario = ran(ROOM), Scenario.parse(ROOM)
-    again = drawn_run(scenario, scenario.stated, runs.members[run])
-    for piece, result in zip(again.pieces, runs.results[run], strict=True):
-        assert result["outcome"] != FAILED_OUTCOME
-        assert piece.outcome == OUTCOMES[result["outcome"]]
-        assert piece.peak_slide == pytest.approx(result["peak_slide"], abs=1e-9)
+    for run in (0, 5, 15):
+        again = drawn_run(scenario, scenario.stated, runs.members[run])
+        for piece, result in zip(again.pieces, runs.results[run], strict=True):
+            assert result["outcome"] != FAILED_OUTCOME
+            assert piece.outcome == OUTCOMES[result["outcome"]]
+            assert piece.peak_slide == pytest.approx(result["peak_slide"], abs=1e-9)
 
 
 def anchor(strength: float) -> sp.Measure:

@@ -87,7 +87,7 @@ def around(
 @pytest.mark.parametrize(("slope", "far"), [(3.5, 0.93), (5.5, 0.93), (8.0, 0.85)])
 def test_intervals_hold_the_truth(slope: float, far: float) -> None:
     rng = np.random.default_rng(1)
-    middles = rng.uniform(-3.5, 3.5, 1500)
+    middles = rng.uniform(-3.5, 3.5, 600)
     held = np.zeros(3)
     for middle in middles:
         low, high = _ends(tuple(rng.binomial(RUNS, expit(middle + slope * U)).tolist()))
@@ -115,7 +115,7 @@ def test_more_falls_are_a_higher_probability() -> None:
 def test_difference_holds_the_truth_and_is_sharpened_by_pairs() -> None:
     rng, held, clear = np.random.default_rng(3), 0, 0
     widths = {True: [], False: []}
-    studies, gain, slope = 160, 0.22, 5.5
+    studies, gain, slope = 80, 0.22, 5.5
     for _ in range(studies):
         middle = rng.uniform(-1.5, 1.5)
         # of the load that decides three quarters are the same in both runs of a pair

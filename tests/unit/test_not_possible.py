@@ -11,6 +11,7 @@ import verdict_cases
 from inventories import city, rows_of_results, table
 
 import stayput as sp
+from long_cases import long
 from stayput.app.verification import verdict_reply
 from stayput.inventory import assess
 from stayput.measures import Belt, TensionPole
@@ -49,7 +50,7 @@ def test_an_anchor_above_the_ceiling_is_not_possible_and_the_rest_is_verified(ve
     assert "床と天井の間" in one.why("ja")
 
 
-@pytest.mark.parametrize(("language", "said"), [("en", "not possible"), ("ja", "設置不可")])
+@pytest.mark.parametrize(("language", "said"), [*long(("en", "not possible")), ("ja", "設置不可")])
 def test_every_form_says_so_with_the_reason(verdict, language, said):
     (one,) = verdict.impossible
     why = one.why(language)

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 BODY = sp.Body(0.3, 1.8, 90.0, cg_offset=(0.02, -0.1))
 ROOM = sp.Room(sp.Floor.of("carpet"), left_wall=sp.Wall(0.02), ceiling=sp.Ceiling(2.4))
-SHAKING: dict[str, Any] = {"intensity": "6-upper", "suite": {"count": 4}}
+SHAKING: dict[str, Any] = {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 4}}
 MOTION = sp.near_fault()
 SUITE = sp.synthetic_suite("crustal", 3)
 BUILDING = sp.Building(5, "RC")

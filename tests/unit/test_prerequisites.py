@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from long_cases import long
+
 TESTS = Path(__file__).parents[1]
 PAGE = """
 from browsing import browser
@@ -34,7 +36,7 @@ def without_chromium(folder: Path, *arguments: str, ci: bool) -> subprocess.Comp
 
 pytestmark = [
     pytest.mark.skipif(os.name != "posix", reason="programs are looked for as POSIX does"),
-    pytest.mark.parametrize("ci", [False, True]),
+    pytest.mark.parametrize("ci", [False, *long(True)]),
 ]
 
 

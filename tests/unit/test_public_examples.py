@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
+from few_runs import copy_examples
 from test_documented_python import BLOCKS, RUN
 
 import stayput
@@ -85,7 +86,7 @@ def examples_of(thing: Any, name: str) -> list[doctest.DocTest]:
 
 @pytest.mark.parametrize("name", sorted(PUBLIC))
 def test_a_public_name_shows_an_example_that_runs(name: str, tmp_path: Path, monkeypatch: Any) -> None:
-    (tmp_path / "examples").symlink_to(ROOT / "examples")
+    copy_examples(tmp_path)
     monkeypatch.chdir(tmp_path)
     found = examples_of(PUBLIC[name], name)
     assert found, f"{name} has no example"

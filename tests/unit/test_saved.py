@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 BODY = sp.Body(0.3, 1.8, 90.0, length=0.9)
 ROOM = sp.Room(sp.Floor.of("carpet"), left_wall=sp.Wall(0.02), ceiling=sp.Ceiling(2.4))
 MOTION = sp.near_fault()
-SHAKING: dict[str, Any] = {"intensity": "6-upper", "suite": {"count": 4}}
+SHAKING: dict[str, Any] = {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 4}}
 CURVE = sp.FragilityCurve("本棚", sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40]))
 
 

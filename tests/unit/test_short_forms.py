@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
+from few_runs import copy_examples
 
 import stayput as sp
 from stayput.fragility.intensity_measures import PGA
@@ -12,7 +14,7 @@ from stayput.measures import LBracket
 
 BODY = sp.Body(0.3, 1.8, 90.0)
 ROOM = sp.Room(sp.Floor.of("carpet"), left_wall=sp.Wall(0.02))
-SHAKING: dict[str, Any] = {"intensity": "6-upper", "suite": {"count": 4}}
+SHAKING: dict[str, Any] = {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 4}}
 
 
 @pytest.fixture(scope="module")
@@ -72,9 +74,10 @@ def test_other_values_are_short_too(value: Any, shown: str):
     assert len(repr(value)) < 200
 
 
-def test_results_of_several_pieces_and_of_rooms_are_short():
-    several = sp.verify(sp.read("examples/television.toml"), progress=False)
+def test_results_of_several_pieces_and_of_rooms_are_short(tmp_path: Path):
+    copy_examples(tmp_path)
+    several = sp.verify(sp.read(tmp_path / "examples/television.toml"), progress=False)
     assert repr(several).startswith("Verdict(JMA ")
-    room = sp.verify(sp.read("examples/bedroom.toml"), changes=False, progress=False)
+    room = sp.verify(sp.read(tmp_path / "examples/bedroom.toml"), changes=False, progress=False)
     assert repr(room).startswith("Verdict(JMA ")
     assert max(len(repr(several)), len(repr(room))) < 200

@@ -10,6 +10,7 @@ import pytest
 
 import stayput as sp
 import studies
+from long_cases import long
 from studies import __main__ as run_studies
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -50,7 +51,11 @@ def test_every_study_has_a_text():
     assert {path.stem for path in (DOCS / "studies").glob("*.md")} == set(NAMES) == set(COARSE)
 
 
-@pytest.mark.parametrize("name", NAMES)
+DEAR = ("baseline", "races", "three_dimensions")
+"""Studies that take seconds however few their runs; the validations run them."""
+
+
+@pytest.mark.parametrize("name", [*(name for name in NAMES if name not in DEAR), *long(*DEAR)])
 def test_its_section_has_the_numbers_of_the_run_and_files_to_download(name, study_pages, tmp_path):
     study = getattr(studies, name)(**COARSE[name])
     assert study.name == name

@@ -11,6 +11,7 @@ import verdict_cases
 from html_pages import Page, check_alone, check_readable
 
 import stayput as sp
+from long_cases import long
 from stayput.catalogue import phrase
 from stayput.montecarlo.counting import Member, Members
 from stayput.report.verdict import svg
@@ -24,8 +25,7 @@ from stayput.verification.words import headline
 
 @pytest.fixture(scope="module", params=["en", "ja"])
 def page(request):
-    verdict = verdict_cases.made()
-    return verdict, request.param, report_html(verdict, request.param)
+    return verdict_cases.made(), request.param, verdict_cases.page(request.param)
 
 
 def test_it_says_the_verdict_and_every_number_of_the_ranking(page):
@@ -125,7 +125,7 @@ def test_hostile_names_are_only_text():
     assert '<b>"quoted"</b>\'' in found.words
 
 
-@pytest.mark.parametrize("language", ["en", "ja"])
+@pytest.mark.parametrize("language", [*long("en"), "ja"])
 def test_a_verdict_without_curves_and_numbers_says_so(language):
     told = Page(report_html(verdict_cases.without_numbers(), language)).words
     assert word("unknown", language) in told
@@ -166,7 +166,7 @@ def test_ticks_are_round_and_inside():
 def test_a_report_is_written_whole_or_refused(tmp_path):
     verdict = verdict_cases.made()
     file = verdict.report(tmp_path / "r.html", "ja")
-    assert file.read_text(encoding="utf-8") == report_html(verdict, "ja")
+    assert file.read_text(encoding="utf-8") == verdict_cases.page("ja")
     with pytest.raises(sp.InputError, match=r"The language is 'fr'; it must be one of 'en', 'ja'\."):
         verdict.report(tmp_path / "s.html", "fr")
     with pytest.raises(sp.InputError, match=r"ends in \.html"):

@@ -120,7 +120,7 @@ def test_bits_do_not_depend_on_threads(verdict):
 
 
 def test_the_ranking_is_told_as_it_gets_better_and_its_bits_do_not_depend_on_that():
-    asked, told = scenario(uncertainty={"samples": 20}), []
+    asked, told = scenario(uncertainty={"samples": 20}, measures=[{"type": "l_bracket"}]), []
     plain, heard = verify(asked, levels=FEW[1:]), verify(asked, levels=FEW[1:], on_verdict=told.append)
     assert [one.without.runs for one in told] == [8, 20]
     assert not any(one.complete or one.without.curves for one in told)

@@ -22,12 +22,12 @@ DATA = {
     "dimensions": 2,
     "furniture": {"preset": "bookcase"},
     "room": {"left_wall": {"gap": 0.02}},
-    "shaking": {"intensity": 6.25, "suite": {"count": 8}},
+    "shaking": {"intensity": 6.25, "suite": {"family": "near-fault", "count": 8}},
     "contents": {"kind": "books"},
     "measures": [{"type": "l_bracket"}],
     "uncertainty": {"samples": 8},
 }
-FEW = {"intensity": 6.25, "suite": {"count": 4}}
+FEW = {"intensity": 6.25, "suite": {"family": "near-fault", "count": 2}}
 
 
 @pytest.fixture(scope="module")

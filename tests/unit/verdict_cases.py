@@ -1,6 +1,7 @@
 """A verdict made by hand, without a run, for the tests of what is written of a verdict."""
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from stayput.fragility.probabilities import probability
 from stayput.fragility.trials import Trials
 from stayput.measures import Belt, FeltGlides
 from stayput.montecarlo.counting import EVENTS, Member, Quantiles
+from stayput.report.verdict.html import report_html
 from stayput.scenario.measures import Option
 from stayput.simulation.space_fate import expected
 from stayput.standards.equipment import equipment_loads
@@ -100,6 +102,12 @@ def made(scenario=None, **changes):
         seconds=1.5,
     )
     return replace(verdict, **changes)
+
+
+@cache
+def page(language):
+    """Return the report on the verdict of three options, which takes seconds to draw."""
+    return report_html(made(), language)
 
 
 def without_numbers():

@@ -125,10 +125,11 @@ def walked(motion, P, mu, shear, pad, dt=2e-6):
 
     The head walks to and fro: only how far it is from where it was counts.
     """
-    x = v = slip = 0.0
-    path, t = 0.0, 0.0
-    while abs(slip) < pad:
-        a = float(np.interp(t, np.arange(len(motion.x)) * motion.dt, motion.x))
+    x = v = slip = path = 0.0
+    times = np.arange(0.0, motion.duration, dt)
+    for t, a in zip(times.tolist(), np.interp(times, motion.time, motion.x).tolist(), strict=True):
+        if abs(slip) >= pad:
+            return t, x, path
         pull = shear * (x - slip)
         if abs(pull) > mu * P:
             kept = math.copysign(mu * P, pull)
@@ -137,8 +138,7 @@ def walked(motion, P, mu, shear, pad, dt=2e-6):
             pull = kept
         v += dt * (-a - pull)
         x += dt * v
-        t += dt
-    return t, x, path
+    raise AssertionError("It is not lost.")
 
 
 def test_a_pole_that_walks_to_and_fro_is_lost_by_where_it_is():

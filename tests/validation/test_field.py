@@ -11,7 +11,7 @@ from studies.baseline import FREE, IDEAL_BLOCK, LOSS_MODEL, WALL, field_of
 
 @pytest.fixture(scope="module")
 def study() -> studies.Study:
-    return studies.baseline(8, samples=4)
+    return studies.baseline(4, samples=2)
 
 
 @pytest.mark.parametrize("piece", LOSS_MODEL, ids=lambda piece: piece.name)

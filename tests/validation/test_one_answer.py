@@ -13,7 +13,10 @@ from stayput.montecarlo.counting import OVERTURNED, Members
 from stayput.scenario.measures import Option
 from stayput.verification.option_runner import OptionRunner
 
-SHAKEN = {"shaking": {"intensity": "6-upper", "suite": {"count": 4}}, "uncertainty": {"samples": 8}}
+SHAKEN = {
+    "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 4}},
+    "uncertainty": {"samples": 4},
+}
 SIZES = {"name": "bookcase", "width": 0.3, "height": 1.8, "mass": 200.0, "length": 0.9}
 AT_THE_WALL = {**SIZES, "against": "left_wall", "along": 5.0, "gap": 0.02}
 BEHIND = {"left_wall": {"gap": 0.02}}

@@ -67,7 +67,7 @@ def _race(scene: Scene, precision: float | None = None) -> Race:
 def tally() -> list[Told]:
     """Races of nine options, in one of five of which nothing helps."""
     told, rng = list[Told](), np.random.default_rng(11)
-    for seed in range(120):
+    for seed in range(40):
         bare = rng.choice([0.05, 0.2, 0.5, 0.7, 0.9])
         factors = rng.choice([0.02, 0.15, 0.3, 0.5, 0.7, 0.9, 1.0, 1.05], OPTIONS - 1)
         shares = np.clip(
@@ -86,7 +86,7 @@ def test_what_races_tell_is_right(tally: list[Told]) -> None:
     assert np.mean(right(tally, "intervals")) >= 0.94
     assert np.mean(right(tally, "leaders")) >= 0.93
     assert np.mean(right(tally, "best")) >= 0.93
-    assert len(right(tally, "clear")) > 100
+    assert len(right(tally, "clear")) > 30
     assert np.mean(right(tally, "clear")) >= AIMS["clear"]
     assert np.mean(right(tally, "curves")) >= AIMS["curves"]
 
@@ -97,7 +97,7 @@ def test_few_runs_are_enough(tally: list[Told]) -> None:
 
 def test_races_of_scenes_hold_what_800_runs_say() -> None:
     """The study's page has 40 races of each scene."""
-    found = races(4).quantities
+    found = races(2).quantities
     assert float(found["intervals"].value) >= 100.0 * AIMS["intervals"]
     assert float(found["best"].value) >= 92.0
     assert float(found["clear"].value) >= 100.0 * AIMS["clear"]

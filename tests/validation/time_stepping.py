@@ -39,20 +39,20 @@ class Stepped:
 # Loops over the three numbers of a row, since arrays that are made anew take Numba ten times as long.
 
 
-@njit
+@njit(cache=True)
 def _rate(row, v):
     """Rate of a contact along its row."""
     return row[0] * v[0] + row[1] * v[1] + row[2] * v[2]
 
 
-@njit
+@njit(cache=True)
 def _push(row, step, weight, v):
     """Add an impulse along a row to the velocities."""
     for i in range(3):
         v[i] += weight[i] * row[i] * step
 
 
-@njit
+@njit(cache=True)
 def _sweep(jn, jt, target, mu, weight, v, pn, pt, count, sweeps):
     """Gauss–Seidel on impulses: pn ≥ 0 ⊥ rate ≥ target, |pt| ≤ μ pn."""
     for _ in range(sweeps):
