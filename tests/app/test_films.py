@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 JAPANESE = re.compile("[\u3040-\u30ff\u4e00-\u9fff]")
 FEW = {
     **SCENE,
-    "shaking": {"suite": {"family": "near-fault", "count": 3}, "intensity": "6-upper"},
+    "shaking": {"suite": {"count": 3}, "intensity": "6-upper"},
     "uncertainty": {"samples": 6, "seed": 7},
 }
 BRACKET = [{"type": "l_bracket"}]
