@@ -81,11 +81,11 @@ def test_a_number_that_there_is_not_stops_the_build(study_pages, tmp_path, monke
 def test_the_module_runs_the_paper_s_sections_or_those_named(monkeypatch, tmp_path, capsys):
     record = tmp_path / "record.csv"
     record.write_text("time [s],x [m/s2]\n" + "".join(f"{0.01 * n:g},{n % 7 - 3}\n" for n in range(300)))
-    seen = []
+    seen, made = [], studies.contents(intensities=[])
 
     def wall_gap_record(motion=None):
         seen.append(motion)
-        return studies.contents(intensities=[])
+        return made
 
     monkeypatch.setattr(run_studies, "PAPER", (wall_gap_record,))
     for arguments in ([], ["--record", str(record)], ["wall_gap_record"]):

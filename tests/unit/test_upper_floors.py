@@ -14,6 +14,7 @@ from test_rooms import BEDROOM
 from typer.testing import CliRunner
 
 import stayput as sp
+from long_cases import long
 from stayput.app.running import shaking_reply
 from stayput.cli import app
 from stayput.fragility.intensity_measures import (
@@ -187,9 +188,14 @@ def test_an_inventory_takes_no_floors(folder, tmp_path):
 @pytest.mark.parametrize(
     ("language", "told"),
     [
-        (
-            "en",
-            ("by the motion on storey 6, not of the place", "The motions are of storey 6, not of the ground"),
+        *long(
+            (
+                "en",
+                (
+                    "by the motion on storey 6, not of the place",
+                    "The motions are of storey 6, not of the ground",
+                ),
+            )
         ),
         (
             "ja",
