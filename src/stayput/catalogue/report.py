@@ -9,7 +9,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "shaking": ("Shaking", "揺れの強さ"),
     "instrumental": ("JMA intensity {class} (instrumental {value})", "{class}（計測震度 {value}）"),
     "simulations": ("Simulations", "計算回数"),
-    "simulations_text": ("runs in all: {runs}; motions: {motions}; of each measure: {each}",
+    "simulations_text": ("{runs} runs in all; motions: {motions}; of each measure: {each}",
                          "合計{runs}回：地震動{motions}本、対策ごとに{each}回"),
     "motions": ("Motions", "地震動"),
     "not_precise": ("The precision that was asked for was not reached with the samples that were allowed.",
