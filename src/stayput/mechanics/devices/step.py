@@ -18,13 +18,12 @@ corner stays where it was, a slipping one on its plane.
 
 import math
 
-import numpy as np
-
 from stayput.compiling import inline, inner
 from stayput.mechanics import columns as col
 from stayput.mechanics.contact import PAINLEVE_LIMIT, slide_on_two_planes
 from stayput.mechanics.devices.lines import evaluate_lines, line_force, set_lines
 from stayput.mechanics.devices.moment import expand_tilt, sum_lines, tilt_at
+from stayput.mechanics.dormand_prince import ERROR, RATES, STAGES, TIMES
 from stayput.mechanics.geometry import (
     GAP_TOLERANCE,
     arm,
@@ -42,25 +41,10 @@ from stayput.mechanics.geometry import (
 )
 from stayput.mechanics.roots import last_reversal
 
-STAGES = 7
-
-TIMES = np.array([0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0])
-
-RATES = np.zeros((STAGES, STAGES))
-"""Weights of the stage accelerations in the rates (the a_ij; its last row is also the solution's)."""
-
-RATES[1, :1] = 1 / 5
-RATES[2, :2] = 3 / 40, 9 / 40
-RATES[3, :3] = 44 / 45, -56 / 15, 32 / 9
-RATES[4, :4] = 19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729
-RATES[5, :5] = 9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656
-RATES[6, :6] = 35 / 384, 0.0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84
-
 POSITIONS = RATES @ RATES
 """Weights of the stage accelerations in the positions: the method applied to the rates."""
 
-RATES_ERROR = np.array([71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40])
-POSITIONS_ERROR = RATES_ERROR @ RATES
+POSITIONS_ERROR = ERROR @ RATES
 
 
 @inline
@@ -296,7 +280,7 @@ def take_free_step(contacts, rows, case, s, work, base, load, y0, k0, h):
     for c in range(3 if turns else 2):
         place = rate = 0.0
         for j in range(STAGES):
-            place, rate = place + POSITIONS_ERROR[j] * stage[j, c], rate + RATES_ERROR[j] * stage[j, c]
+            place, rate = place + POSITIONS_ERROR[j] * stage[j, c], rate + ERROR[j] * stage[j, c]
         error = max(error, h * h * max(abs(place), abs(rate)))
     return end, f, g, least, error
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 
 from stayput.compiling import inline, inner
+from stayput.mechanics import dormand_prince as dp
 from stayput.mechanics.space.active_set import (
     RATES,
     accelerate,
@@ -95,9 +96,10 @@ def _to_pose(body, y, s):
 
 
 @inner
-def _reach(flow, world, held, stage, push, memory, h, number, b):
-    """Set the rates of a stage from those of the stages before it, with weights ``b``."""
+def _reach(flow, world, held, stage, push, memory, h, number):
+    """Set the rates of a stage from those of the stages before it."""
     stages, vectors = memory[3], memory[4]
+    b = dp.RATES[number]
     for i in range(13):
         vectors[1, i] = vectors[0, i] + h * (
             b[0] * stages[0, i]
@@ -118,29 +120,18 @@ def _step(flow, world, held, stage, a0, a1, t, dt, h, gravity, memory):
     for number in range(1, 6):  # all rows are read
         for i in range(13):
             stages[number, i] = 0.0
-    p = push_at(a0, a1, (t + 0.2 * h) / dt, gravity)
-    _reach(flow, world, held, stage, p, memory, h, 1, (0.2, 0.0, 0.0, 0.0, 0.0, 0.0))
-    p = push_at(a0, a1, (t + 0.3 * h) / dt, gravity)
-    _reach(flow, world, held, stage, p, memory, h, 2, (3.0 / 40.0, 9.0 / 40.0, 0.0, 0.0, 0.0, 0.0))
-    p = push_at(a0, a1, (t + 0.8 * h) / dt, gravity)
-    _reach(flow, world, held, stage, p, memory, h, 3, (44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0, 0.0, 0.0, 0.0))
-    p = push_at(a0, a1, (t + 8.0 / 9.0 * h) / dt, gravity)
-    b = 19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0, 0.0, 0.0
-    _reach(flow, world, held, stage, p, memory, h, 4, b)
-    p = push_at(a0, a1, (t + h) / dt, gravity)
-    b = 9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0, 0.0
-    _reach(flow, world, held, stage, p, memory, h, 5, b)
-    b = 35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0
-    _reach(flow, world, held, stage, p, memory, h, 6, b)
+    for number in range(1, dp.STAGES):
+        p = push_at(a0, a1, (t + dp.TIMES[number] * h) / dt, gravity)
+        _reach(flow, world, held, stage, p, memory, h, number)
     place = turn = speed = momentum = 0.0
     for i in range(13):
         off = h * (
-            71.0 / 57600.0 * stages[0, i]
-            - 71.0 / 16695.0 * stages[2, i]
-            + 71.0 / 1920.0 * stages[3, i]
-            - 17253.0 / 339200.0 * stages[4, i]
-            + 22.0 / 525.0 * stages[5, i]
-            - 1.0 / 40.0 * stages[6, i]
+            dp.ERROR[0] * stages[0, i]
+            + dp.ERROR[2] * stages[2, i]
+            + dp.ERROR[3] * stages[3, i]
+            + dp.ERROR[4] * stages[4, i]
+            + dp.ERROR[5] * stages[5, i]
+            + dp.ERROR[6] * stages[6, i]
         )
         if i < 3:
             place += off * off

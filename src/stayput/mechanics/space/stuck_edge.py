@@ -16,6 +16,7 @@ from __future__ import annotations
 import math
 
 from stayput.compiling import inline, inner
+from stayput.mechanics import dormand_prince as dp
 from stayput.mechanics.space.body import attitude, in_body, in_room, place_of, set_attitude, velocity
 from stayput.mechanics.space.devices import loads_of
 from stayput.mechanics.space.stepping import push_at
@@ -154,36 +155,32 @@ def press_on_edge(flow, pressing, body, s, angle, rate, change, push, weight):
 @inner
 def step_on_edge(flow, world, held, stage, a0, a1, t, dt, h, gravity):
     """Take a step of Dormand and Prince's method; return the errors of the angle and of its rate."""
-    w, k1 = flow.rate0, flow.change0
-    at = flow.angle0
-    p = push_at(a0, a1, (t + 0.2 * h) / dt, gravity)
-    v2 = w + h * 0.2 * k1
-    k2 = turn_on_edge(flow, world, held, stage, at + h * 0.2 * w, v2, p)
-    p = push_at(a0, a1, (t + 0.3 * h) / dt, gravity)
-    v3 = w + h * (3.0 / 40.0 * k1 + 9.0 / 40.0 * k2)
-    k3 = turn_on_edge(flow, world, held, stage, at + h * (3.0 / 40.0 * w + 9.0 / 40.0 * v2), v3, p)
-    p = push_at(a0, a1, (t + 0.8 * h) / dt, gravity)
-    b1, b2, b3 = 44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0
-    v4 = w + h * (b1 * k1 + b2 * k2 + b3 * k3)
-    k4 = turn_on_edge(flow, world, held, stage, at + h * (b1 * w + b2 * v2 + b3 * v3), v4, p)
-    p = push_at(a0, a1, (t + 8.0 / 9.0 * h) / dt, gravity)
-    b1, b2, b3, b4 = 19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0
-    v5 = w + h * (b1 * k1 + b2 * k2 + b3 * k3 + b4 * k4)
-    k5 = turn_on_edge(flow, world, held, stage, at + h * (b1 * w + b2 * v2 + b3 * v3 + b4 * v4), v5, p)
+    a, e = dp.RATES, dp.ERROR
+    w, k1, at = flow.rate0, flow.change0, flow.angle0
+    p = push_at(a0, a1, (t + dp.TIMES[1] * h) / dt, gravity)
+    v2 = w + h * a[1, 0] * k1
+    k2 = turn_on_edge(flow, world, held, stage, at + h * a[1, 0] * w, v2, p)
+    p = push_at(a0, a1, (t + dp.TIMES[2] * h) / dt, gravity)
+    v3 = w + h * (a[2, 0] * k1 + a[2, 1] * k2)
+    k3 = turn_on_edge(flow, world, held, stage, at + h * (a[2, 0] * w + a[2, 1] * v2), v3, p)
+    p = push_at(a0, a1, (t + dp.TIMES[3] * h) / dt, gravity)
+    v4 = w + h * (a[3, 0] * k1 + a[3, 1] * k2 + a[3, 2] * k3)
+    angle = at + h * (a[3, 0] * w + a[3, 1] * v2 + a[3, 2] * v3)
+    k4 = turn_on_edge(flow, world, held, stage, angle, v4, p)
+    p = push_at(a0, a1, (t + dp.TIMES[4] * h) / dt, gravity)
+    v5 = w + h * (a[4, 0] * k1 + a[4, 1] * k2 + a[4, 2] * k3 + a[4, 3] * k4)
+    angle = at + h * (a[4, 0] * w + a[4, 1] * v2 + a[4, 2] * v3 + a[4, 3] * v4)
+    k5 = turn_on_edge(flow, world, held, stage, angle, v5, p)
     p = push_at(a0, a1, (t + h) / dt, gravity)
-    b1, b2, b3, b4, b5 = 9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0
-    v6 = w + h * (b1 * k1 + b2 * k2 + b3 * k3 + b4 * k4 + b5 * k5)
-    k6 = turn_on_edge(
-        flow, world, held, stage, at + h * (b1 * w + b2 * v2 + b3 * v3 + b4 * v4 + b5 * v5), v6, p
-    )
-    b1, b3, b4, b5, b6 = 35.0 / 384.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0
-    flow.angle = at + h * (b1 * w + b3 * v3 + b4 * v4 + b5 * v5 + b6 * v6)
-    flow.rate = w + h * (b1 * k1 + b3 * k3 + b4 * k4 + b5 * k5 + b6 * k6)
+    v6 = w + h * (a[5, 0] * k1 + a[5, 1] * k2 + a[5, 2] * k3 + a[5, 3] * k4 + a[5, 4] * k5)
+    angle = at + h * (a[5, 0] * w + a[5, 1] * v2 + a[5, 2] * v3 + a[5, 3] * v4 + a[5, 4] * v5)
+    k6 = turn_on_edge(flow, world, held, stage, angle, v6, p)
+    b = a[6]
+    flow.angle = at + h * (b[0] * w + b[2] * v3 + b[3] * v4 + b[4] * v5 + b[5] * v6)
+    flow.rate = w + h * (b[0] * k1 + b[2] * k3 + b[3] * k4 + b[4] * k5 + b[5] * k6)
     flow.change = k7 = turn_on_edge(flow, world, held, stage, flow.angle, flow.rate, p)
-    b1, b3, b4, b5 = 71.0 / 57600.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0
-    b6, b7 = 22.0 / 525.0, -1.0 / 40.0
-    off = h * (b1 * w + b3 * v3 + b4 * v4 + b5 * v5 + b6 * v6 + b7 * flow.rate)
-    rate_off = h * (b1 * k1 + b3 * k3 + b4 * k4 + b5 * k5 + b6 * k6 + b7 * k7)
+    off = h * (e[0] * w + e[2] * v3 + e[3] * v4 + e[4] * v5 + e[5] * v6 + e[6] * flow.rate)
+    rate_off = h * (e[0] * k1 + e[2] * k3 + e[3] * k4 + e[4] * k5 + e[5] * k6 + e[6] * k7)
     return abs(off), abs(rate_off)
 
 
