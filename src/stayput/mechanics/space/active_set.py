@@ -53,17 +53,34 @@ def _friction_lever(c):
     return c.fx, c.fy, c.fz
 
 
-@inner
-def set_levers(flow, pressing, points, s):
-    """Set the levers of the contacts, and the centre of pressure that the last forces had."""
+@inline
+def _centre_of_pressure(flow, pressing):
+    """Return the middle of the forces on the floor, and whether there are any contacts."""
     weight = x = y = 0.0
     for c in pressing[: flow.count]:
-        c.rx, c.ry, c.rz = lever_of_point(s, points[c.point])
         if c.floor:
             share = max(c.pn, 0.0) + 1e-300
             weight, x, y = weight + share, x + share * c.rx, y + share * c.ry
-    if weight > 0.0:
-        flow.cx, flow.cy = x / weight, y / weight
+    return (x / weight, y / weight, True) if weight > 0.0 else (0.0, 0.0, False)
+
+
+@inner
+def set_levers(flow, pressing, points, s):
+    """Set the levers of the contacts, and the centre of pressure that the last forces had."""
+    for c in pressing[: flow.count]:
+        c.rx, c.ry, c.rz = lever_of_point(s, points[c.point])
+    x, y, on_floor = _centre_of_pressure(flow, pressing)
+    if on_floor:
+        flow.cx, flow.cy = x, y
+
+
+@inline
+def _is_spread(flow, pressing):
+    """Return whether the friction of any contact depends on the centre of pressure."""
+    for c in pressing[: flow.count]:
+        if c.floor and c.kappa < 1.0:
+            return True
+    return False
 
 
 @inner
@@ -242,19 +259,6 @@ def _take_forces(flow, pressing, forces):
             c.ps, c.pt = -c.mu_kinetic * c.pn * along, -c.mu_kinetic * c.pn * across
 
 
-@inline
-def _centre_of_pressure(flow, pressing):
-    """Return the middle of the forces on the floor, and whether it matters where that is."""
-    weight = x = y = 0.0
-    matters = False
-    for c in pressing[: flow.count]:
-        if c.floor:
-            share = max(c.pn, 0.0) + 1e-300
-            weight, x, y = weight + share, x + share * c.rx, y + share * c.ry
-            matters = matters or c.kappa < 1.0
-    return (x / weight, y / weight, matters) if matters else (0.0, 0.0, False)
-
-
 @inner
 def accelerate(flow, pressing, body, points, planes, s, push, system):
     """Set how velocity and angular momentum change, and the forces of all contacts.
@@ -277,6 +281,7 @@ def accelerate(flow, pressing, body, points, planes, s, push, system):
     free[2] = push[2] / body.rm + body.rm * flow.fz
     free[3], free[4], free[5] = body.r1 * turning[0], body.r2 * turning[1], body.r3 * turning[2]
     set_levers(flow, pressing, points, s)
+    spread = _is_spread(flow, pressing)
     last_x = last_y = 0.0
     for number in range(PRESSURE_ROUNDS):
         for i in range(6):
@@ -286,9 +291,11 @@ def accelerate(flow, pressing, body, points, planes, s, push, system):
         set_friction_levers(flow, pressing, planes, s)
         _find_forces(system, _set_rows(flow, pressing, planes, body, s, system))
         _take_forces(flow, pressing, vectors[FORCES])
-        x, y, matters = _centre_of_pressure(flow, pressing)
+        if not spread:
+            break
+        x, y, _ = _centre_of_pressure(flow, pressing)
         x, y = x - flow.cx, y - flow.cy
-        if not matters or abs(x) + abs(y) <= PRESSURE_TOLERANCE:
+        if abs(x) + abs(y) <= PRESSURE_TOLERANCE:
             break
         if number > 0:
             dx, dy = x - last_x, y - last_y

@@ -331,7 +331,7 @@ def _accept(world, held, poses, count, time, h, least, refined, numbers, scratch
         note_hits(contacts, count, kept[0], time + h, trial, output[2], output[3])
         keep(contacts, count, kept[0], scratch[7][3])
         give(held[0], held[1], held[2], trial, time + h)
-    slows = fastest(bodies, trial) < fastest(bodies, now)
+    slows = alone and fastest(bodies, trial) < fastest(bodies, now)
     for b in range(bodies.shape[0]):
         now[b] = trial[b]
     _copy_rows(gaps[1:2], gaps[0:1])
@@ -341,7 +341,7 @@ def _accept(world, held, poses, count, time, h, least, refined, numbers, scratch
         if not flow.ready and any_closes_fast(contacts, count):
             pace[LENGTH] = STEP_AFTER_EVENT * longest
     creeps = slows and moves(now[0]) and fastest(bodies, now) <= PINNED_SPEED
-    if alone and creeps and presses_on_wall(contacts, count):
+    if creeps and presses_on_wall(contacts, count):
         pin(world, now, contacts, count, kept[0], last, gravity, memory)
         note_all_gaps(world, now, scratch, gaps[0])
     elif alone and not moves(now[0]) and stands_off(world, gaps[0]):

@@ -57,12 +57,12 @@ def _fill_in(c, contact, points, features, s, body, on_floor, h):
 
 @inner
 def begin_flow(world, poses, contacts, count, h, gravity, memory):
-    """Return whether a lone body flows on after a step of length h, with the contacts that pressed in it."""
+    """Let a lone body flow on after a step of length h, if it does, with the contacts that pressed in it."""
     flow, pressing = memory[0][0], memory[1]
     body, points, s = world[0][0], world[1], poses[0]
     flow.ready = 0
     if any_closes_fast(contacts, count):
-        return False
+        return
     least = PRESSING_SHARE * body.mass * gravity * h
     number = on_floor = sticking = 0
     for c in contacts[:count]:
@@ -72,9 +72,9 @@ def begin_flow(world, poses, contacts, count, h, gravity, memory):
             sticking += 1 if c.stuck else 0
             u, v = slip(c, poses)
             if number > pressing.shape[0] or (not c.stuck and math.hypot(u, v) < SLIP_BEGIN_SPEED):
-                return False
+                return
     if number == 0 or (number > 2 and fastest(world[0], poses) <= PINNED_SPEED):
-        return False
+        return
     number = 0
     for c in contacts[:count]:
         if c.pn > least:
@@ -86,7 +86,6 @@ def begin_flow(world, poses, contacts, count, h, gravity, memory):
     flow.step = LONGEST_FLOW_STEP if flow.on_edge or flow.step_off_edge == 0.0 else flow.step_off_edge
     flow.relaxation = 1.0
     flow.fx = flow.fy = flow.fz = flow.mx = flow.my = flow.mz = 0.0
-    return True
 
 
 @inline
