@@ -9,7 +9,7 @@ import pytest
 from scipy.special import expit, logit, ndtr
 
 from stayput import InputError
-from stayput.fragility.curve import REACH, FragilityCurve
+from stayput.fragility.curve import REACH, Capacity, FragilityCurve
 from stayput.fragility.fit import EFOLDS
 from stayput.fragility.intensity_measures import JMA_INTENSITY, PFV, PGA
 from stayput.fragility.trials import Trials
@@ -147,6 +147,8 @@ def test_a_capacity_beyond_the_curve_is_no_less_than_a_smaller_share_s() -> None
     half, tenth = curve.capacity(0.5), curve.capacity(0.1)
     assert half.low < tenth.estimate < half.bound == pytest.approx(curve.ends[1])
     assert half.value[0] == f"> {half.bound:.2f}"
+    nothing = Capacity(JMA_INTENSITY, 0.5, np.nan, -np.inf, np.inf, 6.5)
+    assert nothing.texts == nothing.value
 
 
 def test_fewer_runs_say_less() -> None:

@@ -84,14 +84,15 @@ class Capacity:
         return phrase("common.unknown")
 
     @property
-    def whole_interval_beyond(self) -> bool:
-        """Whether the estimate and all of its interval lie beyond the curve, on the same side."""
-        return self.bound is not None and not self.low < self.bound < self.high
+    def has_interval(self) -> bool:
+        """Whether an interval is told: not where all of it lies beyond the curve, or none of it is known."""
+        bound, least = self.bound, self.measure.least
+        return bound is None or least < self.low < bound or bound < self.high < math.inf
 
     @property
     def texts(self) -> Phrase:
         """The capacity in both languages: "6.12 (5.95 to 6.33)", "> 6.36 (more than 6.21)", "< 5.3"."""
-        if self.whole_interval_beyond:
+        if not self.has_interval:
             return self.value
         return phrase("fragility.capacity", value=self.value, ends=self.ends)
 

@@ -133,7 +133,7 @@ def capacity(reached: Capacity | None, language: str) -> str:
 
 def capacity_interval(reached: Capacity | None, language: str) -> str:
     """Return the interval of a capacity: "5.95 to 6.33"; empty where all of it lies beyond the curve."""
-    return "" if reached is None or reached.whole_interval_beyond else say(reached.ends, language)
+    return say(reached.ends, language) if reached is not None and reached.has_interval else ""
 
 
 def word(key: str, language: str, **values: object) -> str:
