@@ -123,7 +123,8 @@ class Lognormal(Marginal):
         low, high = (
             math.log(end / self.median) / sigma if end > 0.0 else -math.inf for end in (self.low, self.high)
         )
-        return np.clip(self.median * np.exp(sigma * _cut_normal(u, low, high)), self.low, self.high)
+        factors = _to_ten_decimals(np.exp(sigma * _cut_normal(u, low, high)))
+        return np.clip(self.median * factors, self.low, self.high)
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,7 +169,12 @@ def _cut_normal(u: NDArray[np.float64], low: float, high: float) -> NDArray[np.f
     from scipy.special import ndtr, ndtri
 
     first, last = ndtr((low, high))
-    return ndtri(first + (last - first) * u)
+    return _to_ten_decimals(ndtri(first + (last - first) * u))
+
+
+def _to_ten_decimals(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Round what NumPy and SciPy computed, whose last digits depend on the processor: draws shall not."""
+    return np.round(values, 10)
 
 
 @dataclass(frozen=True, slots=True, repr=False)

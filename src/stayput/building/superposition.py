@@ -408,5 +408,6 @@ def component_response(
         energy = Energy(*np.ascontiguousarray(energies.T))
     acceleration = np.empty((len(ground), len(floors)))
     acceleration[:, [i for i, floor in enumerate(floors) if floor < 0]] = ground[:, None]
-    acceleration[:, [i for i, floor in enumerate(floors) if floor >= 0]] = masses
+    # whole 1e-6 m/s², as motions of the ground are: the last digits depend on the processor, runs shall not
+    acceleration[:, [i for i, floor in enumerate(floors) if floor >= 0]] = np.round(masses, 6)
     return Histories(h, acceleration, drift, energy)

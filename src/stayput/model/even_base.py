@@ -63,7 +63,8 @@ def friction_ratio(solid: Solid) -> float:
     arms = points - centre
     # the least loads that balance about the centre
     loads = np.linalg.pinv(np.column_stack((np.ones(len(arms)), arms)).T)[:, 0]
-    return min(1.0, float(d / (loads @ np.linalg.norm(arms, axis=1))))
+    ratio = float(d / (loads @ np.linalg.norm(arms, axis=1)))
+    return min(1.0, round(ratio, 10))  # not to the last digits, which depend on the processor
 
 
 def _hull(points: NDArray[np.float64]) -> Sequence[int] | None:

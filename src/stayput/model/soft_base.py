@@ -59,7 +59,8 @@ def rigid_half_base(half_base: ArrayLike, height: ArrayLike, settlement: ArrayLi
         energy = a * tilt - z * tilt * tilt / 2.0 - (4.0 / 3.0) * np.sqrt(a * w) * root + w / 2.0
         stands = 3.0 * z * w < a * a  # else the whole base, still pressed, holds less than the tilt takes
         softer = np.sqrt(np.where(stands, np.maximum(0.0, 2.0 * z * energy), 0.0))
-    return np.where(w > 0.0, np.minimum(a, np.maximum(LEAST * a, softer)), a)
+    # not to the last digits, which depend on the processor
+    return np.where(w > 0.0, np.minimum(a, np.maximum(LEAST * a, np.round(softer, 10))), a)
 
 
 def narrower_base(

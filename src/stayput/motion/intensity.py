@@ -152,7 +152,9 @@ def possible_intensity(stated: float | str) -> float:
 
 
 def factor_to_intensity(intensity: float, wanted: float) -> float:
-    """Return the factor on a motion of an intensity that gives it another one.
+    """Return the factor on a motion of an intensity that gives it another one, to ten digits.
+
+    The last digits of NumPy's functions, and so of an intensity, depend on the processor: runs shall not.
 
     Raises
     ------
@@ -162,7 +164,7 @@ def factor_to_intensity(intensity: float, wanted: float) -> float:
     target = finite("motion.name_intensity", wanted, "intensity")
     if not math.isfinite(intensity):
         raise InputError("motion.still_floor")
-    return 10.0 ** (0.5 * (target - intensity))
+    return float(f"{10.0 ** (0.5 * (target - intensity)):.10g}")
 
 
 def long_period_response(x: NDArray[np.float64], y: NDArray[np.float64] | None, dt: float) -> float:

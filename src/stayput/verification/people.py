@@ -333,5 +333,6 @@ def typical_of(*each: Runs) -> Member:
     far: NDArray[np.float64] = otherwise.sum(axis=1)
     far[missing] = np.inf
     alike = np.flatnonzero(far <= far.min() + 1e-9)
-    in_order = alike[np.argsort(each[0].tilt[alike], kind="stable")]
+    tilts = np.round(each[0].tilt[alike], 9)  # equal where they are so but for rounding
+    in_order = alike[np.argsort(tilts, kind="stable")]
     return each[0].members[int(in_order[(len(in_order) - 1) // 2])]
