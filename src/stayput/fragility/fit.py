@@ -171,7 +171,8 @@ class LogitFit:
 
     def mean(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the mean of the probability at coordinates."""
-        return self.weight @ self._shares(u)
+        different, of_each = np.unique(u, return_inverse=True)  # runs are at a few levels
+        return (self.weight @ self._shares(different))[of_each]
 
     def probability(self, u: ArrayLike, confidence: float = CONFIDENCE) -> NDArray[np.float64]:
         """Return lower end, median and upper end of the probability at coordinates, shape (3, ...)."""
@@ -234,7 +235,7 @@ class RunsAround:
             return Probability(math.nan, 0.0, 1.0, 0, 0, 0, lost, math.nan)
         fit = self.fit()
         each = self.fit(missing_as=False), fit, self.fit(missing_as=True)
-        low, estimate, high = (float(fitted.probability(0.0)[end]) for end, fitted in enumerate(each))
+        low, estimate, high = (_at_zero(fitted, CONFIDENCE)[end] for end, fitted in enumerate(each))
         counts = int((self.happened & runs).sum()), int(runs.sum()), len(np.unique(self.motion[runs]))
         return Probability(estimate, low, high, *counts, lost, fit.design_effect)
 
@@ -259,7 +260,7 @@ class RunsAround:
             return Difference(math.nan, -1.0, 1.0, 0, 0, 0, lost)
         confidence = 1.0 - (1.0 - CONFIDENCE) / comparisons
         fits, u = (self.fit(), other.fit()), self.u[both][known]
-        (l1, p1, u1), (l2, p2, u2) = (fit.probability(0.0, confidence).tolist() for fit in fits)
+        (l1, p1, u1), (l2, p2, u2) = (_at_zero(fit, confidence) for fit in fits)
         expected = [fit.mean(u) for fit in fits]
         r1, r2 = (runs.happened[both][known] - p for runs, p in zip((self, other), expected, strict=True))
         scatter = np.prod([_SHRINKS * 0.25 + (p * (1.0 - p)).sum() for p in expected])
@@ -278,3 +279,9 @@ def _fit(measure: IntensityMeasure, u: bytes, happened: bytes, motion: bytes) ->
     """Return the fit to runs; cached, as the same is often asked of a piece and of all pieces."""
     x, fell = np.frombuffer(u), np.frombuffer(happened, np.bool_).astype(np.float64)
     return LogitFit.of(measure, x, fell, np.ones(len(x)), np.frombuffer(motion, np.intp))
+
+
+@lru_cache(maxsize=4096)
+def _at_zero(fit: LogitFit, confidence: float) -> list[float]:
+    """Return the probability at coordinate 0; cached for the same reason."""
+    return fit.probability(0.0, confidence).tolist()
