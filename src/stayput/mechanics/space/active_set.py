@@ -26,6 +26,7 @@ from stayput.mechanics.space.constants import (
     LEAST_RELAXATION,
     MOST_INDEPENDENT,
     MOST_RELAXATION,
+    ON_MIXED_EDGE,
     PRESSURE_ROUNDS,
     PRESSURE_TOLERANCE,
     REFINEMENTS,
@@ -220,8 +221,15 @@ def _solve_few(matrix, number, b):
         )
 
 
+@inline
+def _are_independent(flow, pressing, number):
+    """Return whether so many rows of the contacts are taken to be independent."""
+    mixed_edge = number == ON_MIXED_EDGE and flow.count == 2 and pressing[0].floor and pressing[1].floor
+    return number <= MOST_INDEPENDENT or mixed_edge
+
+
 @inner
-def _find_forces(system, number):
+def _find_forces(system, number, independent):
     """Find the forces of so many rows; the velocities' change is with them then."""
     rows, columns, matrix, vectors, pivots = system
     forces, rest, total = vectors[FORCES], vectors[REST], vectors[TOTAL]
@@ -229,12 +237,12 @@ def _find_forces(system, number):
     for i in range(number):
         for j in range(number):
             matrix[i, j] = _product(rows[i], columns[j])
-        if not few:
+        if not independent:
             matrix[i, i] += SHARING * _product(rows[i], rows[i])
         forces[i] = 0.0
     if not few:
         _factorize(matrix, pivots, number)
-    for _ in range(1 if few else REFINEMENTS):
+    for _ in range(1 if independent else REFINEMENTS):
         for i in range(number):
             rest[i] = -_product(rows[i], total) - vectors[BENDS, i]
         if few:
@@ -289,7 +297,8 @@ def accelerate(flow, pressing, body, points, planes, s, push, system):
         if flow.count == 0:
             break
         set_friction_levers(flow, pressing, planes, s)
-        _find_forces(system, _set_rows(flow, pressing, planes, body, s, system))
+        rows = _set_rows(flow, pressing, planes, body, s, system)
+        _find_forces(system, rows, _are_independent(flow, pressing, rows))
         _take_forces(flow, pressing, vectors[FORCES])
         if not spread:
             break
@@ -376,7 +385,7 @@ def project(flow, pressing, body, points, planes, s, system):
         for k in range(number):
             for i in range(6):
                 columns[k, i] = rows[k, i]
-        _find_forces(system, number)
+        _find_forces(system, number, _are_independent(flow, pressing, number))
         move = body.rm * total[0], body.rm * total[1], body.rm * total[2]
         if velocities:
             s.vx, s.vy, s.vz = move

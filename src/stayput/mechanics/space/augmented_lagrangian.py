@@ -23,7 +23,7 @@ from stayput.mechanics.space.newton import add_pair, by_rows, clear_system, damp
 from stayput.mechanics.space.touching import ROOM
 from stayput.mechanics.space.vectors import added, dot
 
-FIRST_PENALTY, LARGEST_PENALTY, PENALTY_GROWTH = 1e1, 1e4, 1e1
+FIRST_PENALTY, LARGEST_PENALTY, PENALTY_GROWTH = 1e3, 1e4, 1e1
 """Penalties, times the inverse mass that a contact sees: from about 1e6 on rounding enters the velocities."""
 
 MOST_ROUNDS = 64

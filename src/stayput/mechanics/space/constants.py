@@ -11,8 +11,10 @@ PRESSING_SHARE = 1e-6
 MOST_ROWS = 3 * MOST_PRESSING
 """Most velocities that contacts forbid: all stick."""
 
-MOST_INDEPENDENT = 3
-"""Most rows that are taken to be independent: those of a corner that sticks, or of three that slip."""
+MOST_INDEPENDENT, ON_MIXED_EDGE = 3, 4
+"""Most rows that are taken to be independent: those of a corner that sticks, or of three that slip; and those
+of an edge on the floor of which one corner sticks and the other slips, which are so too.
+"""
 
 SHARING, REFINEMENTS = 1e-6, 2
 """Share of the diagonal that is added so that contacts share where there are more than the body needs, and
@@ -52,7 +54,7 @@ LONGEST_FLOW_STEP, SHORTEST_FLOW_STEP = 0.05, 0.1
 damper, is stiff and left to the general law.
 """
 
-STIFF_PAUSE = 16
+STIFF_PAUSE = 8
 """General steps after a step that was stiff, before another flow is tried."""
 
 SHORTEST_FLOW = 1e-8
@@ -89,6 +91,11 @@ rock and rebound without end, less each time.
 STEP_AFTER_EVENT = 0.02
 """Length of the general step after an event, which tells how it goes on, over the longest plain one: so short
 that its error does not count.
+"""
+
+PLAIN_GROWTH, PLAIN_GROWTH_OF_SEVERAL = 8.0, 2.0
+"""How many times as long as the last a plain step may be, of a lone body and of several. A lone one that does
+not flow on after an event slips slowly, and needs no short steps for that.
 """
 
 IMPULSE_TIME = 1e-3

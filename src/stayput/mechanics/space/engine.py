@@ -26,6 +26,8 @@ from stayput.mechanics.space.constants import (
     LENGTH,
     LIMIT,
     PINNED_SPEED,
+    PLAIN_GROWTH,
+    PLAIN_GROWTH_OF_SEVERAL,
     ROUGH,
     SHORT,
     SHORTEST,
@@ -158,6 +160,7 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
     springs, most = held[0].shape[0] > 0, numbers[4]
     shortest, round_edges = pace[LIMIT], world[2].shape[0] > 0
     lone = _flows(world)
+    grows = PLAIN_GROWTH if lone else PLAIN_GROWTH_OF_SEVERAL
     least_h = (RIM_LEAST if round_edges else LEAST) * longest
     h = (dt - t) / math.ceil((dt - t) / pace[LENGTH] * (1.0 - 1e-12))
     if springs and t == 0.0 and pace[LENGTH] >= 2.0 * dt and k + 2 < acceleration.shape[0]:
@@ -189,7 +192,7 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
             switch_now(contacts, count, kept, switch, trial)
             if fastest(world[0], trial) <= CREEPS and all_stick(contacts, count):
                 _stop_all(trial)
-            pace[LENGTH] = min(max(pace[LENGTH], 2.0 * h), longest if lone else most)
+            pace[LENGTH] = min(max(pace[LENGTH], grows * h), longest if lone else most)
             return h, count, least, False
         plain = plain or pace[ROUGH] > 0.0 or h < max(0.5 * least_h, 2.0 * shortest)
         plain = plain or lone or any_closes_fast(contacts, count)
@@ -206,7 +209,7 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
                 switch, h = stands / h + AT_ONCE, stands
                 continue
             pace[LENGTH] = (
-                min(GROWS * h, most) if slow and not lone else min(max(pace[LENGTH], 2.0 * h), longest)
+                min(GROWS * h, most) if slow and not lone else min(max(pace[LENGTH], grows * h), longest)
             )
             return h, count, least, False
         slides = not springs and not all_stick(contacts, count)
@@ -222,8 +225,8 @@ def _advance(world, held, poses, acceleration, k, numbers, t, last, scratch, pac
             meets = meeting(world, trial, gaps[0], gaps[1], h) if left < 0.0 else h
             if meets == h:
                 pace[EVENT] = max(least_h, 0.5 * pace[EVENT])
-                grows = 0.8 * math.sqrt(allowed / max(error, 1e-15))
-                pace[LENGTH] = max(2.0 * least_h, h * min(GROWS, max(0.5, grows)))
+                factor = 0.8 * math.sqrt(allowed / max(error, 1e-15))
+                pace[LENGTH] = max(2.0 * least_h, h * min(GROWS, max(0.5, factor)))
                 pace[LENGTH] = min(most, pace[LENGTH])
                 return h, count, least, True
         _copy_devices(scratch[9], scratch[10], held[1], held[2])

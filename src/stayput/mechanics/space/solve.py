@@ -276,26 +276,32 @@ def slide(contacts, count, poses, h):
 
 
 @inner
-def _propose(c, poses):
-    """Set the change of a contact's impulse with the others as they are; return that of its velocity."""
+def _propose(c, poses, part):
+    """Set a part of the change of a contact's impulse with the others as they are.
+
+    Returns
+    -------
+    float
+        The whole change of its velocity.
+    """
     un, us, ut = beyond_target(c, poses)
-    pn = max(0.0, c.pn - un / c.wnn)
+    pn = max(0.0, c.pn - part * un / c.wnn)
     ps = pt = 0.0
     if pn > 0.0:
         us += c.wns * (pn - c.pn)
         ut += c.wnt * (pn - c.pn)
         # where it sticks nothing slips
         det = c.wss * c.wtt - c.wst * c.wst
-        ps = c.ps - (c.wtt * us - c.wst * ut) / det
-        pt = c.pt - (c.wss * ut - c.wst * us) / det
+        ps = c.ps - part * (c.wtt * us - c.wst * ut) / det
+        pt = c.pt - part * (c.wss * ut - c.wst * us) / det
         if ps * ps + pt * pt > (c.mu * pn) ** 2:
             # a step against the slip, back onto the cone; the larger stiffness makes it converge
-            ps, pt = c.ps - us / c.stiff, c.pt - ut / c.stiff
+            ps, pt = c.ps - part * us / c.stiff, c.pt - part * ut / c.stiff
             size = math.sqrt(ps * ps + pt * pt)
             if size > c.mu * pn:
                 ps, pt = ps * c.mu * pn / size, pt * c.mu * pn / size
     c.dn, c.ds, c.dt = pn - c.pn, ps - c.ps, pt - c.pt
-    return max(abs(c.dn) * c.wnn, max(abs(c.ds), abs(c.dt)) * c.stiff)
+    return max(abs(c.dn) * c.wnn, max(abs(c.ds), abs(c.dt)) * c.stiff) / part
 
 
 @inner
@@ -303,11 +309,12 @@ def _sweep(contacts, count, bodies, poses):
     """Change the impulses of all contacts as each would alone; return the largest change of a velocity.
 
     All at once: one by one, of two corners that land together the first might bear all, where friction allows
-    several solutions, and a box would turn in plan by what is symmetric.
+    several solutions, and a box would turn in plan by what is symmetric. Those of a lone body all bear the
+    same, so that each changes by its share: else Newton's method takes what does slip or open for the rest.
     """
-    change = 0.0
+    change, part = 0.0, 1.0 / count if bodies.shape[0] == 1 else 1.0
     for k in range(count):
-        change = max(change, _propose(contacts[k], poses))
+        change = max(change, _propose(contacts[k], poses, part))
     for c in contacts[:count]:
         change = max(change, resist(c, bodies, poses))
     for c in contacts[:count]:
