@@ -32,7 +32,6 @@ from stayput.rooms.steps import (
     PlanStep,
     Trial,
     decisions_of,
-    fails_to_hold,
     for_people,
     in_order_of_gain,
     merit,
@@ -45,7 +44,6 @@ from stayput.verification.compare import option_verdict
 from stayput.verification.option_runner import OptionRunner
 from stayput.verification.options import TRIED, compared_options, inputs_of_piece
 from stayput.verification.people import hits_in
-from stayput.verification.race import HALF_WIDTHS
 from stayput.verification.search import falling_pieces, harmful_pieces, moves_of
 from stayput.verification.verdict import OptionVerdict, Verdict
 
@@ -54,8 +52,8 @@ if TYPE_CHECKING:
     from stayput.measures import Measure
     from stayput.scenario.measures import Option
 
-FEW_RUNS, PLAN_RUNS = 16, 32
-"""Runs of what a plan tells: few where they tell it well enough, else so many."""
+PLAN_RUNS = 32
+"""Runs of what a plan tells: from so many a half-width of 16 points."""
 
 TRIAL_RUNS, CANDIDATES = 8, 2
 """Runs of all that is tried, and how many of the best of it are then run as often as what is told."""
@@ -147,17 +145,6 @@ def action_plan(
     )
 
 
-def _is_precise(chance: Probability) -> bool:
-    """Return whether a chance is known as well as that of the best measure in a verification in space."""
-    return chance.half_width <= HALF_WIDTHS[3]
-
-
-def _hit(effect: OptionVerdict) -> Probability:
-    """Return how often somebody is hit."""
-    assert effect.people is not None
-    return effect.people.hit.chance
-
-
 class _Planner:
     """The steps of a plan.
 
@@ -204,9 +191,7 @@ class _Planner:
                 self.not_enough.pop(names[body], None)
             elif names[body] not in self.not_enough:
                 unsolved.append(names[body])
-        steps = tuple(self._in_order([*chosen], FEW_RUNS))
-        if steps and not _is_precise(_hit(steps[-1].together)):
-            steps = tuple(self._in_order([*chosen], PLAN_RUNS))
+        steps = tuple(self._in_order([*chosen]))
         kept = {step.what for step in steps if step.fix is not None}
         for fix, what in ((choice.step.fix, choice.step.what) for choice in chosen):
             if fix is not None and what not in kept:
@@ -221,32 +206,31 @@ class _Planner:
             if why
         }
 
-    def _in_order(self, chosen: list[ChosenStep], count: int) -> Iterable[PlanStep]:
+    def _in_order(self, chosen: list[ChosenStep]) -> Iterable[PlanStep]:
         """Yield the steps that are needed, each time that which brings most with those before it.
 
-        One that has not been decided on, and without which the others bring as much, is not needed. All are
-        compared in the first so many runs.
+        One that has not been decided on, and without which the others bring as much, is not needed.
         """
-        needed = self._by_gain(chosen, count)
-        reached = in_order_of_gain(self._together(needed, count))
+        needed = self._by_gain(chosen)
+        reached = in_order_of_gain(self._together(needed))
         for choice in [choice for choice in reversed(needed) if not choice.step.decided]:
             others = [other for other in needed if other is not choice]
-            without = in_order_of_gain(self._together(others, count))
+            without = in_order_of_gain(self._together(others))
             if without <= reached:
                 needed, reached = others, without
-        all_of_them = for_people(self._together(needed, count))
+        all_of_them = for_people(self._together(needed))
         for number, choice in enumerate(needed, start=1):
             others = [other for other in needed if other is not choice]
             yield replace(
                 choice.step,
-                together=self._together(needed[:number], count),
-                for_people=for_people(self._together(others, count)) > all_of_them,
+                together=self._together(needed[:number]),
+                for_people=for_people(self._together(others)) > all_of_them,
             )
 
-    def _by_gain(self, chosen: list[ChosenStep], count: int) -> list[ChosenStep]:
+    def _by_gain(self, chosen: list[ChosenStep]) -> list[ChosenStep]:
         done: list[ChosenStep] = []
         while chosen:
-            effects = [self._together([*done, choice], count) for choice in chosen]
+            effects = [self._together([*done, choice]) for choice in chosen]
             keys = [
                 (in_order_of_gain(effect), choice.step.cost_class, in_order_of_gain(choice.step.alone))
                 for choice, effect in zip(chosen, effects, strict=True)
@@ -254,9 +238,9 @@ class _Planner:
             done.append(chosen.pop(keys.index(min(keys))))
         return done
 
-    def _together(self, done: Iterable[ChosenStep], count: int) -> OptionVerdict:
+    def _together(self, done: Iterable[ChosenStep]) -> OptionVerdict:
         """Return what some of the steps bring together."""
-        return self._effect([change for choice in done for change in choice.changes], count)
+        return self._effect([change for choice in done for change in choice.changes])
 
     def _with(self, changes: Iterable[Change]) -> Option:
         return with_changes(self.base, changes, self.scenario.names)
@@ -377,13 +361,8 @@ class _Planner:
         return any(each.difference(none, each, each.overturned).clear for each in of_group)
 
     def _in_full(self, trial: Trial, body: int) -> Trial:
-        """Return a trial in as many runs as the plan needs, with as many devices as are needed."""
-        measures = self._in_number(body, trial.measures)
-        full = self._trial(body, measures, FEW_RUNS)
-        weak = fails_to_hold(full.gives_way, full.overturns)  # as a single run may say
-        if full.effect.helps and not weak and _is_precise(full.overturns):
-            return full
-        return self._trial(body, measures, PLAN_RUNS)
+        """Return a trial in all runs of the plan, with as many devices as are needed."""
+        return self._trial(body, self._in_number(body, trial.measures), PLAN_RUNS)
 
     def _helpful(self, body: int, sets: Sequence[tuple[str, ...]]) -> list[Trial]:
         """Run sets of measures on a piece; return those that help and can be put on it where it will be."""
