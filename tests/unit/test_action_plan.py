@@ -35,6 +35,7 @@ from stayput.rooms.step_words import (
     what_it_brings,
 )
 from stayput.uncertainty import USUAL
+from stayput.verification.option_runner import DEMAND_RUNS
 from stayput.verification.options import inputs_of_piece
 from stayput.verification.people import PairedEstimate
 from stayput.verification.room_words import people_in, piece_name
@@ -199,6 +200,14 @@ def test_chances_on_the_card_have_their_intervals(plan: sp.ActionPlan):
     page = html.unescape(plan_html(replace(plan, verdict=replace(verdict, options=(without,)))))
     assert f"{often.text} →" in page.replace("\xa0", " ")
     assert not re.search(r"about [\d.]+ % →", page.replace("\xa0", " "))
+
+
+def test_strengths_are_told_of_the_runs_that_they_are_from(plan: sp.ActionPlan):
+    """A plan of 32 runs has forces on unbreakable devices from 16 of them."""
+    often = replace(plan.verdict, options=(replace(plan.verdict.without, runs=32),))
+    for verdict, runs in ((plan.verdict, 8), (often, DEMAND_RUNS)):
+        page = html.unescape(plan_html(replace(plan, verdict=verdict))).replace("\xa0", " ")
+        assert f"in 95 % of {runs} runs" in page
 
 
 def test_on_tatami_there_is_neither_gel_nor_a_wedge():

@@ -21,6 +21,7 @@ from stayput.rooms import step_words
 from stayput.rooms.purchases import MARGIN, QUANTILE
 from stayput.rooms.steps import COST_BOUNDS, ActionPlan, Fix, PlanStep
 from stayput.uncertainty import USUAL, Lognormal
+from stayput.verification.option_runner import DEMAND_RUNS
 from stayput.verification.room_words import motion_phrase, people_in, piece_name, piece_within
 from stayput.verification.words import shaking_phrase
 from stayput.wording import joined
@@ -277,8 +278,8 @@ def _notes(plan: ActionPlan) -> Iterator[Phrase]:
     if any(step.fix is not None for step in plan.steps):
         scatter = USUAL["strength"]
         assert isinstance(scatter, Lognormal)
-        values = {"share": 100.0 * QUANTILE, "runs": runs, "margin": MARGIN, "cov": scatter.cov}
-        yield phrase("action_plan.strengths", **values)
+        values = {"share": 100.0 * QUANTILE, "margin": MARGIN, "cov": scatter.cov}
+        yield phrase("action_plan.strengths", runs=min(runs, DEMAND_RUNS), **values)
         (low, low_euro), (high, high_euro) = COST_BOUNDS
         yield phrase("action_plan.costs", low=low, low_euro=low_euro, high=high, high_euro=high_euro)
     motions = motion_phrase(verdict) or phrase("action_plan.same_motions", count=verdict.motions)
