@@ -134,9 +134,8 @@ def ours(boxes: list[FreeBox], motion: sp.Motion, step: float) -> Tilts:
     for n, (box, scene) in enumerate(zip(boxes, scenes, strict=True)):
         start = time.process_time()
         scaled = SpaceShaking(box.scale * shaking.acceleration, shaking.dt)
-        result = results_of(
-            trace_together(scene, scaled, STANDARD_GRAVITY, step, stop_after_rest=ENDS), shaking.times
-        )[0]
+        traced = trace_together(scene, scaled, STANDARD_GRAVITY, step, stop_after_rest=ENDS)
+        result = results_of(traced, shaking.dt)[0]
         seconds[n] = time.process_time() - start
         peak[n] = np.inf if result["outcome"] == OVERTURNED_OUTCOME else result["peak_tilt"]
     return Tilts(peak, seconds)

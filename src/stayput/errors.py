@@ -378,7 +378,9 @@ def numbers(
 
     try:
         array = np.array(values, np.float64)
-        items = [values] if hasattr(values, "dtype") else np.array(values, object).flat
+        items = values
+        if array.ndim != 1:
+            items = [values] if hasattr(values, "dtype") else np.array(values, object).flat
         if not all(map(_is_number, items)):
             raise TypeError
     except (TypeError, ValueError, OverflowError):

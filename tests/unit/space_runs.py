@@ -9,7 +9,6 @@ import numpy as np
 
 import stayput as sp
 from stayput.mechanics.space.columns import HIT
-from stayput.model.flat_fields import room_row
 from stayput.simulation.run import default_names
 from stayput.simulation.space import piece_runs
 from stayput.simulation.space_engine import Gaps
@@ -65,7 +64,7 @@ def of_poses(
         standing=tuple(standing),
         room=ROOM,
         motion=SHAKE,
-        planes=planes_of(standing, room_row(ROOM)),
+        planes=planes_of(standing, ROOM),
         time=time,
         place=place,
         attitude=attitude,

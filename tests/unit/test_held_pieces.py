@@ -9,7 +9,8 @@ import pytest
 
 import stayput as sp
 from stayput.measures import MEASURES, Measure
-from stayput.simulation.placing import hold_piece, placed, planes_around, room_seen
+from stayput.simulation.placing import hold_piece, placed, room_seen
+from stayput.simulation.space_records import planes_of
 
 BODY = sp.Body(0.4, 1.8, 100.0, length=0.9, base="feet")
 ROOM = sp.Room(sp.Floor(0.5, 0.4), left_wall=sp.Wall(0.03), ceiling=sp.Ceiling(2.4))
@@ -70,7 +71,7 @@ def test_a_piece_on_another_is_held_where_its_back_and_top_are() -> None:
     upper, whole = sp.Body(0.35, 0.95, 40.0, length=0.9), sp.Body(0.35, 1.85, 40.0, length=0.9)
     measures = of("l_bracket", "tension_pole")
     upper_part = sp.Piece(upper, (-0.05, 0.0, 0.9), 0.0, measures)
-    raised = hold_piece(upper_part, ROOM, planes_around([upper_part], ROOM))
+    raised = hold_piece(upper_part, ROOM, planes_of([upper_part], ROOM))
     reaching = sp.hold(whole, ROOM, measures, dimensions=3)
     assert raised.body == upper
     for mine, theirs in zip(raised.elements, reaching.elements, strict=True):
@@ -87,7 +88,7 @@ def test_the_room_as_a_piece_sees_it() -> None:
 
     def seen(*at: float, heading: float = 0.0) -> list[float | None]:
         piece = sp.Piece(BODY, (at[0], at[1], 0.0), heading)
-        planes = planes_around([sp.Piece(BODY), piece, neighbour], room)
+        planes = planes_of([sp.Piece(BODY), piece, neighbour], room)
         found = room_seen(piece, room, planes)
         walls = (found.left_wall, found.right_wall, found.near_side_wall, found.far_side_wall)
         return [None if wall is None else round(wall.gap, 9) for wall in walls]

@@ -105,7 +105,7 @@ def followed(runner: OptionRunner) -> Answer:
         traces = run_in_groups(groups_at_first(scene), run, lambda traced, s=shaking: traced.tracks(s.dt))
         fell, tracks = np.zeros(len(scene.pieces), bool), dict[int, Track]()
         for group, traced in traces.items():
-            outcomes = results_of(traced, shaking.times)["outcome"]
+            outcomes = results_of(traced, shaking.dt)["outcome"]
             fell[list(group)] = outcomes == OVERTURNED_OUTCOME
             tracks |= zip(group, traced.tracks(shaking.dt), strict=True)
         seen = watch(scene.plan, [tracks[number] for number in range(len(scene.pieces))])

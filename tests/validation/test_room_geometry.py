@@ -99,7 +99,7 @@ def person(heading: float) -> sp.PersonPlace:
 
 def cut(track: Track, count: int) -> Track:
     """Return a track that ends after so many samples."""
-    names = ("sample", "place", "turn", "energy", "falls")
+    names = ("sample", "place", "turn", "energy")
     return replace(track, **{name: getattr(track, name)[:count] for name in names})
 
 
@@ -132,8 +132,7 @@ def track_in_plane(pose: Track, x: np.ndarray, z: np.ndarray, tilt: np.ndarray) 
     inertia = float(across @ (pose.turn[0] @ shape.inertia @ pose.turn[0].T) @ across)
     rates = [np.gradient(values, pose.dt) if len(values) > 1 else np.zeros(1) for values in (x, z, tilt)]
     energy = 0.5 * (shape.mass * (rates[0] ** 2 + rates[1] ** 2) + inertia * rates[2] ** 2)
-    falls = np.abs(tilt[moved]) > ALPHA
-    return Track(shape, moved, place[moved], turn[moved], energy[moved], pose.dt, falls)
+    return Track(pose.piece, moved, place[moved], turn[moved], energy[moved], pose.dt)
 
 
 def toppling(heading: float) -> tuple[Track, sp.Run]:

@@ -35,7 +35,7 @@ def test_a_run_of_a_row_that_has_fallen_ends_with_the_same_results() -> None:
     scene = sp.Scene(row, sp.Room(sp.Floor(0.4, 0.4)), friction=(0.3, 0.3))
     shaking = SpaceShaking.of(sp.Motion(dt=0.01, x=3.0 * np.sin(5.0 * 0.01 * np.arange(2401))))
     runs = [trace_together(scene, shaking, 9.80665, stop_after_rest=end) for end in (np.inf, ENDS)]
-    whole, ended = (results_of(run, shaking.times) for run in runs)
+    whole, ended = (results_of(run, shaking.dt) for run in runs)
     for name in ("outcome", "end", "peak_tilt", "peak_slide", "residual_slide"):
         assert np.array_equal(whole[name], ended[name]), name
     assert runs[1].trace.steps < runs[0].trace.steps

@@ -49,8 +49,7 @@ def friction_ratio(solid: Solid) -> float:
     around = _around_box(points) or _hull(points)
     if around is None:
         return LINE
-    outline = points[around]
-    ahead = np.roll(outline, -1, axis=0)
+    outline, ahead = points[around], points[[*around[1:], around[0]]]
     length = np.linalg.norm(ahead - outline, axis=1)
     area = 0.5 * _cross(outline, ahead)
     edges = solid.base == "edges"
@@ -62,7 +61,8 @@ def friction_ratio(solid: Solid) -> float:
     d = (over_edges if edges else h * over_edges / 3.0).sum() / share.sum()
     arms = points - centre
     # the least loads that balance about the centre
-    loads = np.linalg.pinv(np.column_stack((np.ones(len(arms)), arms)).T)[:, 0]
+    balance = np.column_stack((np.ones(len(arms)), arms))
+    loads = balance @ np.linalg.solve(balance.T @ balance, [1.0, 0.0, 0.0])
     ratio = float(d / (loads @ np.linalg.norm(arms, axis=1)))
     return min(1.0, round(ratio, 10))  # not to the last digits, which depend on the processor
 

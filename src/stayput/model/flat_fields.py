@@ -71,9 +71,12 @@ def fields_of(path: str, value: Body | Room | Floor | Wall | Ceiling | State | N
     numbers_at = dict[str, float]()
     for about, names in _paths(path, type(value)):
         content: Any = getattr(value, about.name)
-        if about.name not in PAIRS:
-            content = (about.choices.index(content) if about.choices else content,)
-        numbers_at |= zip(names, (math.nan if each is None else each for each in content), strict=True)
+        if about.name in PAIRS:
+            numbers_at |= zip(names, content, strict=True)
+        elif about.choices:
+            numbers_at[names[0]] = about.choices.index(content)
+        else:
+            numbers_at[names[0]] = math.nan if content is None else content
     return numbers_at
 
 

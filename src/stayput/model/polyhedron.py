@@ -426,7 +426,7 @@ def _planes_below(points: NDArray[np.float64], tolerance: float) -> list[NDArray
         return [np.array([0.0, 0.0, 1.0])]
     normals: list[NDArray[np.float64]] = []
     for a, b, c in combinations(points, 3):
-        normal = np.cross(b - a, c - a)
+        normal = _cross((b - a)[np.newaxis], (c - a)[np.newaxis])[0]
         length = float(np.linalg.norm(normal))
         if abs(normal[2]) <= tolerance * tolerance:  # upright, or three points in a line
             continue
@@ -446,5 +446,5 @@ def _surrounded(
     directions = np.sort(np.arctan2(y, x)[np.hypot(x, y) > tolerance])
     if len(directions) < 3:
         return False
-    gaps = np.diff(directions, append=directions[0] + 2.0 * math.pi)
-    return bool(gaps.max() < math.pi - 1e-9)
+    ahead = np.append(directions[1:], directions[0] + 2.0 * math.pi)
+    return bool((ahead - directions).max() < math.pi - 1e-9)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from pathlib import Path
 from typing import Any, Self, TypedDict, Unpack
 
@@ -61,6 +62,7 @@ class Shapes:
     __slots__ = ()
 
     @classmethod
+    @lru_cache(maxsize=256)
     def of_shape(cls, shape: Solid) -> Self:
         """Make the body of a solid."""
         make: Any = cls

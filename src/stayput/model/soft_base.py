@@ -85,8 +85,9 @@ def narrower_base(
         w₀ [m]; 0 returns the body's own base, to the bit.
     """
     back, front, low, high = (np.asarray(value, np.float64) for value in (*ends, *heights))
-    foot_back = -rigid_half_base(-back, height, settlement)
-    foot_front = rigid_half_base(front, height, settlement)
+    halves = np.array(np.broadcast_arrays(-back, front, height, settlement)[:2])
+    feet = rigid_half_base(halves, height, settlement)
+    foot_back, foot_front = -feet[0], feet[1]
     rise = (high - low) / (front - back)
     return (foot_back, low + rise * (foot_back - back)), (foot_front, high + rise * (foot_front - front))
 

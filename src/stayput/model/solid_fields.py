@@ -44,17 +44,18 @@ class Copied:
 
 def array_of_shape(name: str, value: ArrayLike, shape: tuple[int | None, ...]) -> NDArray[np.float64]:
     """Return a copy of numbers as an array of a shape, None for any length, that cannot be written to."""
-    called = phrase(f"solids.{name}")
-    shape_of, allowed = phrase("common.shape_of", name=called), str(shape).replace("None", "n")
+    called, actual = phrase(f"solids.{name}"), ("irregular", "不規則")
     try:
         array = np.array(value, np.float64)
+        actual = str(array.shape)
     except (TypeError, ValueError, OverflowError):
-        raise not_allowed(shape_of, ("irregular", "不規則"), allowed, name) from None
+        array = np.zeros(0)
     fits = array.ndim == len(shape) and all(
-        side in (None, actual) for side, actual in zip(shape, array.shape, strict=True)
+        side in (None, length) for side, length in zip(shape, array.shape, strict=True)
     )
     if not fits or not array.size:
-        raise not_allowed(shape_of, str(array.shape), allowed, name)
+        shape_of = phrase("common.shape_of", name=called)
+        raise not_allowed(shape_of, actual, str(shape).replace("None", "n"), name)
     check_numbers(array, called, name)
     return read_only(array)
 

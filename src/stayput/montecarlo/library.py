@@ -308,7 +308,7 @@ def kind_run(kind: PieceKind, traced: Trace, shaking: SpaceShaking) -> KindRun:
         rows = slice(first, None if count is None else first + count)
         devices.append((trace.devices[rows], used[rows]))
         first += count or 0
-    results = results_of(traced, shaking.times)
+    results = results_of(traced, shaking.dt)
     free = [0.0 if body.held is None else body.held.free_slide for body in traced.bodies]
     without_free_slide(results, free)
     return KindRun(results, devices, traced.tracks(shaking.dt) if kind.tracked else [])

@@ -12,12 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stayput.measures.wall import REACH
-from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room
-from stayput.montecarlo.sampling import AS_STATED, INSETS, Draw, drawn_body, drawn_place, drawn_surfaces
+from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room, Wall
+from stayput.montecarlo.sampling import AS_STATED, INSETS, Draw, drawn_body, drawn_surfaces
 from stayput.simulation.placement import ORIGIN, Placement
-from stayput.simulation.placing import planes_around, room_seen
+from stayput.simulation.placing import room_seen
 from stayput.simulation.scene import STRENGTH_RANGE, Scene
 from stayput.simulation.space_engine import SpaceShaking
+from stayput.simulation.space_records import planes_of
 from stayput.uncertainty import Marginal, Uncertainty, Uniform
 
 if TYPE_CHECKING:
@@ -156,22 +157,20 @@ def _drawn_piece(piece: Piece, draw: Draw) -> Piece:
 
 def _drawn_room(scene: Scene, draw: Draw) -> Room:
     """Return the room as drawn; where a bracket reaches the wall from a piece as stated, it does as drawn."""
-    room = scene.around
-    drawn = drawn_place(room, draw)
+    drawn, walls = drawn_surfaces(scene.around, draw), dict[str, Wall | None]()
     for name in WALLS_AROUND:
-        wall, stated = getattr(drawn, name), getattr(room, name)
-        if wall is None or stated.gap > REACH:
-            continue
-        most = _most_gap(tuple(scene.pieces), room, name)
-        drawn = replace(drawn, **{name: replace(wall, gap=min(wall.gap, most))})
-    return drawn_surfaces(drawn, draw)
+        wall = getattr(drawn, name)
+        if wall is not None and wall.gap <= REACH:
+            most = _most_gap(tuple(scene.pieces), scene.around, name)
+            walls[name] = replace(wall, gap=min(draw.wall_gap * wall.gap, REACH, most))
+    return replace(drawn, **walls)  # pyright: ignore[reportArgumentType]
 
 
 @lru_cache(maxsize=64)
 def _most_gap(pieces: tuple[Piece, ...], room: Room, wall: str) -> float:
     """Return the gap of a wall [m] up to which brackets reach it that reach it from the pieces as stated."""
     alone = replace(room, **{other: None for other in WALLS_AROUND if other != wall})
-    planes = planes_around(pieces, alone)
+    planes = planes_of(pieces, alone)
     rooms = [room_seen(piece, alone, planes) for piece in pieces if piece.body.shape is None]
     gaps = [around.left_wall.gap for around in rooms if around.left_wall is not None]
     stated_gap = getattr(room, wall).gap
@@ -184,7 +183,8 @@ def drawn_shaking(motion: Motion, scale: float, draw: SceneDraw, gravity: float)
     A floor that leans by a small angle is also shaken by −g sin(lean) along x, whatever stands on it: what a
     piece does depends neither on the order of the pieces nor on those that cannot reach it.
     """
-    x, y, z = scale * SpaceShaking.of(motion).acceleration.T
+    still = np.zeros(len(motion.x))
+    x, y, z = (scale * motion.components.get(name, still) for name in "xyz")
     x -= gravity * math.sin(draw.lean)
     if draw.direction:
         cos, sin = math.cos(draw.direction), math.sin(draw.direction)

@@ -143,7 +143,7 @@ def _results(scenario: Scenario) -> dict[str, NDArray[Any]]:
     shaking, scene = SpaceShaking.of(scenario.motion()), scenario.scene()
     with scenario.naming_keys():
         traced = trace_scene(scene, shaking, scenario.gravity)
-    devices, results = traced.trace.devices, results_of(traced, shaking.times)
+    devices, results = traced.trace.devices, results_of(traced, shaking.dt)
     used = utilisation(traced.trace.springs, devices).max(initial=0.0)
     return {
         **columns_of(results, [ABOUT[name] for name in OF_A_PIECE]),

@@ -40,8 +40,8 @@ class Track:
 
     Parameters
     ----------
-    shape : ConvexShape
-        The body.
+    piece : Piece
+        The body as it stood at first.
     sample : ndarray of int, shape (k,)
         Samples of the motion at which it has just moved; the first is 0.
     place : ndarray, shape (k, 3)
@@ -52,17 +52,24 @@ class Track:
         Kinetic energy [J].
     dt : float
         Time between samples [s].
-    falls : ndarray of bool, shape (k,)
-        Whether it falls at these samples: see `stayput.simulation.space_fate.falling`.
     """
 
-    shape: ConvexShape
+    piece: Piece
     sample: NDArray[np.intp]
     place: NDArray[np.float64]
     turn: NDArray[np.float64]
     energy: NDArray[np.float64]
     dt: float
-    falls: NDArray[np.bool_]
+
+    @property
+    def shape(self) -> ConvexShape:
+        """The body."""
+        return ConvexShape.of(self.piece.solid)
+
+    @cached_property
+    def falls(self) -> NDArray[np.bool_]:
+        """Whether it falls at these samples: see `stayput.simulation.space_fate.falling`."""
+        return falling(self.piece, self.place, self.turn)
 
     @property
     def stays(self) -> bool:
@@ -92,10 +99,8 @@ class Track:
 
 def at_rest(piece: Piece, dt: float = 1.0) -> Track:
     """Return the track of a piece that stays where it stands."""
-    chosen = np.zeros(1, np.intp)
-    shape = ConvexShape.of(piece.solid)
     pose = piece.place[np.newaxis], piece.turn[np.newaxis]
-    return Track(shape, chosen, *pose, np.zeros(1), dt, np.zeros(1, np.bool_))
+    return Track(piece, np.zeros(1, np.intp), *pose, np.zeros(1), dt)
 
 
 def outline_of(corners: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -131,7 +136,7 @@ def tracks_of(pieces: Sequence[Piece], trace: SpaceTrace | Run, dt: float, path:
             shape.mass * np.sum(v * v, axis=1) + np.einsum("ki,ij,kj->k", spin, shape.inertia, spin)
         )
         poses = place[moved], np.ascontiguousarray(turn[moved])
-        tracks.append(Track(shape, sample, *poses, energy, dt, falling(piece, *poses)))
+        tracks.append(Track(piece, sample, *poses, energy, dt))
     return tracks
 
 

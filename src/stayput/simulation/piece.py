@@ -75,11 +75,8 @@ class ConvexShape:
 
 def _different(directions: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return unit vectors without those that are parallel to one before."""
-    different: list[NDArray[np.float64]] = []
-    for direction in directions:
-        if not any(1.0 - abs(float(direction @ other)) <= PARALLEL for other in different):
-            different.append(direction)
-    return np.array(different)
+    parallel = 1.0 - np.abs(directions @ directions.T) <= PARALLEL
+    return directions[~np.tril(parallel, -1).any(axis=1)]
 
 
 class Convex(NamedTuple):
@@ -141,7 +138,7 @@ _VECTORS = (
 def vector_of(name: str, vector: object, most: float, unit: str) -> tuple[float, ...]:
     """Return three numbers, or raise `InputError`."""
     called = phrase(f"simulation.{name}")
-    values = numbers(called, vector, name, count=3)
+    values = numbers(called, vector, name, count=3).tolist()
     return tuple(within(called, value, -most, most, unit, name) for value in values)
 
 
@@ -310,6 +307,10 @@ class Piece:
         up = self.solid.up_at_rest
         return self._facing if up is None else self._facing @ _to_vertical(up)
 
+    @cached_property
+    def _vertices(self) -> NDArray[np.float64]:
+        return self.body.vertices
+
     @property
     def _facing(self) -> NDArray[np.float64]:
         cos, sin = math.cos(self.heading), math.sin(self.heading)
@@ -323,7 +324,7 @@ class Piece:
     def reach(self, direction: tuple[float, float, float]) -> tuple[float, float]:
         """Return how far its corners and round edges reach along a unit vector, least and most [m]."""
         in_frame = self.turn.T @ direction
-        ends, shape = self.body.vertices @ in_frame, self.body.shape
+        ends, shape = self._vertices @ in_frame, self.body.shape
         if shape is not None and len(rims := shape.rims):
             reach = rims[:, 6] * np.linalg.norm(np.cross(rims[:, 3:6], in_frame), axis=1)
             centres = rims[:, :3] @ in_frame
@@ -334,9 +335,9 @@ class Piece:
 
 def rotation_by(vector: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the rotation about a vector by its length [rad] (Rodrigues), shape (3, 3)."""
-    angle = float(np.linalg.norm(vector))
-    if angle == 0.0:
+    if not vector.any():
         return np.eye(3)
+    angle = float(np.linalg.norm(vector))
     x, y, z = vector / angle
     across = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
     return np.eye(3) + math.sin(angle) * across + (1.0 - math.cos(angle)) * (across @ across)

@@ -234,11 +234,6 @@ def held_body(
     )
 
 
-def planes_around(pieces: Sequence[Piece], room: Room) -> NDArray[np.void]:
-    """Return the room around pieces as the engine reads it: PLANE; see `planes_of`."""
-    return planes_of(pieces, room_row(room))
-
-
 def placed(
     scene: Scene,
     strength: float = 1.0,
@@ -262,7 +257,7 @@ def placed(
     initial : State, optional
         The initial state of furniture; at rest by default.
     planes : ndarray of PLANE, optional
-        The room as `planes_around` gives it, where that is known.
+        The room as `planes_of` gives it, where that is known.
 
     Raises
     ------
@@ -270,7 +265,7 @@ def placed(
         Measures that cannot be put in place.
     """
     room = scene.around
-    planes = planes_around(scene.pieces, room) if planes is None else planes
+    planes = planes_of(scene.pieces, room) if planes is None else planes
     bodies: list[Placed] = []
     for number, member in enumerate(scene.pieces):
         if member.body.shape is not None and not member.measures:

@@ -24,7 +24,7 @@ from stayput.simulation.case import scene_of
 from stayput.simulation.groups import Group, Track, groups_at_first, joined_traces, run_in_groups, tracks_of
 from stayput.simulation.outcome import OUTCOMES, Hit, Outcome, case_results
 from stayput.simulation.placement import ORIGIN, Placement
-from stayput.simulation.placing import Placed, joint_results, joint_springs, placed, planes_around, set_fields
+from stayput.simulation.placing import Placed, joint_results, joint_springs, placed, planes_of, set_fields
 from stayput.simulation.run import PieceRun, Run, default_names
 from stayput.simulation.space_engine import STEP, TOUCHES, Gaps, SpaceShaking, SpaceTrace, run_world
 from stayput.simulation.space_fate import Fate, fates_of, slides, unrolled, upright_yaws
@@ -239,7 +239,7 @@ def joined_groups(scene: Scene, traces: Mapping[Group, Trace]) -> Trace:
     traces : mapping
         The run of each group, `Trace.in_room`.
     """
-    planes = planes_around(scene.pieces, scene.around)
+    planes = planes_of(scene.pieces, scene.around)
     traces = {group: traced.among(planes) for group, traced in traces.items()}
     if len(traces) == 1:
         return next(iter(traces.values()))
@@ -293,7 +293,7 @@ def trace_together(
     called = names or names_of(scene, range(len(scene.pieces)))
     axes = Placement(*min(piece.at for piece in scene.pieces)[:2])
     scene = scene.along(axes) if axes != ORIGIN else scene
-    planes = planes_around(scene.pieces, scene.around)
+    planes = planes_of(scene.pieces, scene.around)
     bodies = placed(scene, strength, drawn_floor, called, initial, planes)
     pieces, floors = [body.piece for body in bodies], [body.floor for body in bodies]
     if make_room:
@@ -304,27 +304,28 @@ def trace_together(
             plane["offset"] = min(plane["offset"], *(piece.reach(normal)[0] - APART for piece in pieces))
     world = world_of([piece.solid for piece in pieces], floors, planes, scene.friction)
     springs = np.concatenate([*(body.springs for body in bodies), joint_springs(pieces, scene.joints)])
-    poses, moved = np.stack([body.pose for body in bodies]), (shaking.acceleration, shaking.dt)
+    poses, moved = np.array([body.pose for body in bodies]), (shaking.acceleration, shaking.dt)
     trace = run_world(world, poses, springs, *moved, step, gravity, stop_after_rest, called)
     return Trace(bodies, planes, trace, gravity, axes)
 
 
-def results_of(traced: Trace, time: NDArray[np.float64]) -> NDArray[np.void]:
+def results_of(traced: Trace, dt: float) -> NDArray[np.void]:
     """Return what became of bodies: RESULT, shape (bodies,). Slides are distances in plan, of any direction.
 
     Parameters
     ----------
     traced : Trace
         What the engine returned.
-    time : ndarray, shape (samples,)
-        Time [s].
+    dt : float
+        Time between samples [s].
     """
     results = np.zeros(len(traced.bodies), RESULT)
+    last = traced.trace.place.shape[1] - 1
     for body, (result, fate) in enumerate(zip(results, traced.fates(), strict=True)):
         # the mechanics know of no body that another bears
         fell_off = fate.outcome is Outcome.FELL_OFF
         result["outcome"] = OVERTURNED_OUTCOME if fell_off else OUTCOMES.index(fate.outcome)
-        result["end"] = end = float(time[-1 if fate.fell is None else traced.path.sample[fate.fell]])
+        result["end"] = end = dt * float(last if fate.fell is None else traced.path.sample[fate.fell])
         for name, value in _until_it_fell(fate, traced.trace, body, traced.bodies[body].piece, end).items():
             result[name] = value
         result["floor_impacts"], result["wall_impacts"] = traced.trace.hit_numbers[body, [ON_FLOOR, ON_ROOM]]
@@ -382,7 +383,7 @@ def run_case(
     scene = scene_of(body, room, measures)
     traced = trace_together(scene, shaken, numbers["gravity"], initial=start, stop_after_rest=ENDS)
     springs, devices = traced.trace.springs[np.newaxis], traced.trace.devices[np.newaxis]
-    return case_results(springs, results_of(traced, shaken.times), devices)
+    return case_results(springs, results_of(traced, shaken.dt), devices)
 
 
 def run_of_trace(traced: Trace, joints: Sequence[Joint], room: Room, motion: Motion) -> Run:

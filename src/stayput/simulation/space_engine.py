@@ -50,11 +50,6 @@ class SpaceShaking:
         finer = [refine(component, parts) for component in self.acceleration.T]
         return SpaceShaking(np.stack(finer, axis=1), self.dt / parts)
 
-    @property
-    def times(self) -> NDArray[np.float64]:
-        """The times of its samples [s]."""
-        return self.dt * np.arange(len(self.acceleration), dtype=np.float64)
-
 
 class Gaps(NamedTuple):
     """Gaps at an instant [m], negative where one is inside the other.
@@ -94,18 +89,14 @@ def gaps_of(world: tuple[Any, ...], noted: NDArray[np.float64], back: NDArray[np
         least[:] = np.concatenate([from_planes[:, corners], from_planes[:, round_edges]], axis=1).min(axis=1)
     between = np.full((len(bodies), len(bodies)), np.inf)
     between[pairs["a"], pairs["b"]] = between[pairs["b"], pairs["a"]] = noted[alone:]
-    return Gaps(room[back], between[np.ix_(back, back)])
+    return Gaps(room[back], between[back][:, back])
 
 
 def refuse_overlaps(planes: NDArray[np.void], gaps: Gaps, names: Sequence[str | Phrase]) -> None:
     """Raise `InputError` where a body begins inside the room or another."""
-    for j, plane in enumerate(planes):
-        for number, least in enumerate(gaps.room[:, j].tolist()):
-            if least < -DEEPEST:
-                surface = phrase(f"simulation.{surface_of(plane)}")
-                raise InputError(
-                    "simulation.begins_inside", "pieces", piece=names[number], surface=surface, depth=-least
-                )
+    for j, n in np.argwhere(gaps.room.T < -DEEPEST).tolist():
+        surface, depth = phrase(f"simulation.{surface_of(planes[j])}"), -float(gaps.room[n, j])
+        raise InputError("simulation.begins_inside", "pieces", piece=names[n], surface=surface, depth=depth)
     for second, first in np.argwhere(np.tril(gaps.bodies < -DEEPEST)).tolist():
         pair: dict[str, Any] = {"first": names[first], "second": names[second]}
         depth = -float(gaps.bodies[second, first])
@@ -233,7 +224,7 @@ def run_world(
     held = numbered, np.zeros(len(springs), PULL), np.zeros(len(springs), DEVICE)
     held[2]["failure_time"] = np.nan
     histories = np.zeros((bodies, samples, len(HISTORY)))
-    forces, hits = np.zeros((samples, len(springs), FORCES)), np.zeros(MOST_HITS, HIT)
+    forces, hits = np.zeros((samples, len(springs), FORCES)), np.empty(MOST_HITS, HIT)
     numbers, peaks, work = np.zeros((bodies + 1, 3), np.int64), np.zeros(bodies), np.zeros(4)
     work[3] = (FIRST_WORK + WORK_A_SECOND * bodies * dt * (samples - 1)) * max(1.0, STEP / step)
     output = histories, forces, hits, numbers, peaks, work
@@ -252,7 +243,7 @@ def run_world(
         histories[..., 7:10],
         histories[..., 10:13],
         histories[..., 13:19].reshape(bodies, samples, 2, 3),
-        forces[:, back_of_springs],
+        forces if (np.diff(back_of_springs) > 0).all() else forces[:, back_of_springs],
         springs,
         held[2][back_of_springs],
         _hits_of(hits[: min(len(hits), numbers[-1, 0])], order),
@@ -279,9 +270,9 @@ def fastest_vibration(springs: NDArray[np.void], bodies: NDArray[Any]) -> float:
     The fastest vibration of bodies that springs join is no faster than all of them together, each by itself
     with the others held.
     """
-    squares = [_fastest_square(springs, body, number) for number, body in enumerate(bodies)]
+    squares = [_fastest_square(springs, body, n) for n, body in enumerate(bodies) if len(springs)]
     joined = bool((springs["other"] != ROOM).any())
-    return math.sqrt(max(sum(squares) if joined else max(squares), 1e-30))
+    return math.sqrt(max(sum(squares) if joined else max(squares, default=0.0), 1e-30))
 
 
 def _fastest_square(springs: NDArray[np.void], body: Any, number: int) -> float:
@@ -296,4 +287,4 @@ def _fastest_square(springs: NDArray[np.void], body: Any, number: int) -> float:
                 stiffness += float(np.max(spring["stiffness"])) * rows.T @ rows
     moments = [body["mass"]] * 3 + [body["i1"], body["i2"], body["i3"]]
     root = 1.0 / np.sqrt(moments)
-    return float(np.linalg.eigvalsh(root[:, np.newaxis] * stiffness * root)[-1]) if len(springs) else 0.0
+    return float(np.linalg.eigvalsh(root[:, np.newaxis] * stiffness * root)[-1])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -28,8 +29,10 @@ from stayput.mechanics.space.pairs import MOST_TOUCHING
 from stayput.mechanics.space.touching import RIM_POINTS
 from stayput.model.even_base import friction_ratio
 from stayput.model.flat_fields import WALLS_AND_CEILING
+from stayput.model.room import Wall
 
 if TYPE_CHECKING:
+    from stayput.model.room import Ceiling, Room
     from stayput.model.solid import Solid
     from stayput.simulation.piece import Piece
 
@@ -73,7 +76,7 @@ def matrices(q: NDArray[np.float64]) -> NDArray[np.float64]:
     turns[0, 0], turns[0, 1], turns[0, 2] = 1.0 - (yy + zz), xy - wz, xz + wy
     turns[1, 0], turns[1, 1], turns[1, 2] = xy + wz, 1.0 - (xx + zz), yz - wx
     turns[2, 0], turns[2, 1], turns[2, 2] = xz - wy, yz + wx, 1.0 - (xx + yy)
-    return np.moveaxis(turns, (0, 1), (-2, -1))
+    return turns.transpose(*range(2, turns.ndim), 0, 1)
 
 
 def pose_of(
@@ -105,8 +108,13 @@ def pose_of(
 
 def frames_of(pieces: Sequence[Piece], attitudes: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the attitudes of frames from those of principal axes, shape (bodies, samples, 4)."""
-    back = [quaternion_of(piece.solid.principal[1]) * np.array([1.0, -1.0, -1.0, -1.0]) for piece in pieces]
+    back = [_principal_attitude(piece.solid) * np.array([1.0, -1.0, -1.0, -1.0]) for piece in pieces]
     return np.stack([product(q, r) for q, r in zip(attitudes, back, strict=True)])
+
+
+@lru_cache(maxsize=256)
+def _principal_attitude(solid: Solid) -> NDArray[np.float64]:
+    return quaternion_of(solid.principal[1])
 
 
 def moved_samples(*histories: NDArray[np.float64]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
@@ -173,87 +181,82 @@ def world_of(
     between : tuple of float
         Static and kinetic coefficients of friction between bodies.
     """
-    bodies = np.zeros(len(solids), SOLID)
-    lists: tuple[list[Any], ...] = [], [], [], [], []
-    for body, solid, floor in zip(bodies, solids, floors, strict=True):
-        _add(body, solid, floor, lists)
-    points, rims, faces, loops, edges = lists
+    of_bodies, under = [_records_of(solid) for solid in solids], np.array(floors)
+    bodies, points, backward, rims, faces, loops, edges = map(np.concatenate, zip(*of_bodies, strict=True))
+    for name in ("point", "rim", "face", "edge"):
+        bodies[f"first_{name}"] = np.cumsum(bodies[f"{name}s"]) - bodies[f"{name}s"]
+    faces["first"] = np.cumsum(faces["count"]) - faces["count"]
+    loops += np.repeat(bodies["first_point"], [len(records[5]) for records in of_bodies])
+    edges += np.repeat(bodies["first_point"], bodies["edges"])[:, np.newaxis]
+    owner = np.repeat(np.arange(len(bodies)), bodies["points"])
+    for kind in ("static", "kinetic"):
+        bodies[f"mu_{kind}"] = under[f"{kind}_friction"]
+        bodies[f"edge_{kind}"] = under[f"edge_{kind}_friction"]
+    bodies["restitution"], bodies["landing_place"] = under["floor_restitution"], under["landing_place"]
+    bodies["rolling"] = under["rolling_resistance"]
+    sides = np.where(backward, *(_edge_friction(under, side)[:, owner] for side in ("left", "right")))
+    points["mu_static"], points["mu_kinetic"] = sides
     pairs = [(b, a, *between, 0.0) for b in range(len(solids)) for a in range(b)]
-    return (
-        bodies,
-        np.array(points, POINT),
-        np.array(rims, RIM),
-        planes,
-        np.array(pairs, PAIR),
-        np.array(faces, FACE),
-        np.array(loops, np.int64),
-        np.array(edges, np.int64).reshape(-1, 2),
+    return bodies, points, rims, planes, np.array(pairs, PAIR), faces, loops, edges
+
+
+def _edge_friction(floors: NDArray[np.void], side: str) -> NDArray[np.float64]:
+    """Return an edge's static and kinetic friction by floor: nan, or that of all edges for one of both."""
+    stated, usual = (
+        np.array([floors[f"{edge}_{kind}_friction"] for kind in ("static", "kinetic")])
+        for edge in (f"{side}_edge", "edge")
     )
+    return np.where(np.isnan(stated) & ~np.isnan(stated).all(axis=0), usual, stated)
 
 
-def _add(body: Any, solid: Solid, floor: np.void, lists: tuple[list[Any], ...]) -> None:
-    """Fill in a SOLID, and add its points, rims, faces and edges."""
-    points, rims, faces, loops, edges = lists
+@lru_cache(maxsize=256)
+def _records_of(solid: Solid) -> tuple[NDArray[Any], ...]:
+    """Return a SOLID, its POINTs, which of them are at its back, RIMs, FACEs, their corners, and edges.
+
+    They lack what the floor gives, on which the same body stands differently with each measure.
+    """
     moments, axes = solid.principal
     about = solid.centre_of_gravity
-
-    def friction(side: str) -> list[float]:
-        """Return an edge's static and kinetic friction: nan, or that of all edges for one of both."""
-        stated, usual = (
-            [float(floor[f"{edge}_{kind}_friction"]) for kind in ("static", "kinetic")]
-            for edge in (f"{side}_edge", "edge")
-        )
-        alike = math.isnan(stated[0]) and math.isnan(stated[1])
-        return [mu if alike or mu >= 0.0 else other for mu, other in zip(stated, usual, strict=True)]
-
-    back, front = friction("left"), friction("right")
 
     def in_axes(place: NDArray[np.float64]) -> NDArray[np.float64]:
         return (place - about) @ axes
 
     corners = solid.vertices
     vertices = in_axes(corners)
-    first = len(points)
     on_rim: NDArray[np.bool_] = np.any(on_rims(solid), axis=0)
     above = _above_feet(solid, corners)
-    on_floor = ~on_rim & above
-    body["mass"] = solid.mass
-    body["i1"], body["i2"], body["i3"] = moments
-    body["rm"] = 1.0 / math.sqrt(solid.mass)
-    body["r1"], body["r2"], body["r3"] = 1.0 / np.sqrt(moments)
-    body["first_point"], body["hull"] = first, len(vertices)
-    columns = vertices, corners[:, 0] - about[0], on_floor, on_rim
-    points += [
-        (*v, *(back if x < 0.0 else front), f, not r)
-        for v, x, f, r in zip(*(column.tolist() for column in columns), strict=True)
-    ]
+    stands = np.zeros((0, 3))
     if solid.feet is not None:
         stands = np.concatenate([solid.feet, _cut_off(corners[~above], solid.feet)])
-        points += [
-            (*v, *(back if x < 0.0 else front), 1, 0)
-            for v, x in zip(in_axes(stands).tolist(), (stands[:, 0] - about[0]).tolist(), strict=True)
-        ]
-    body["restitution"], body["landing_place"] = floor["floor_restitution"], floor["landing_place"]
-    for kind in ("static", "kinetic"):
-        body[f"mu_{kind}"], body[f"edge_{kind}"] = floor[f"{kind}_friction"], floor[f"edge_{kind}_friction"]
-    body["rolling"], body["kappa"] = floor["rolling_resistance"], friction_ratio(solid)
-    up = solid.up_at_rest
-    body["ux"], body["uy"], body["uz"] = axes[2] if up is None else up @ axes
-    body["points"] = len(points) - first
-    body["radius"] = np.linalg.norm(vertices, axis=1).max()
-    body["first_rim"], body["rims"] = len(rims), len(solid.rims)
-    rims += [
+    points, low = np.zeros(len(corners) + len(stands), POINT), np.ones(len(stands), np.bool_)
+    points["x"], points["y"], points["z"] = np.concatenate([vertices, in_axes(stands)]).T
+    points["floor"], points["walls"] = np.append(~on_rim & above, low), np.append(~on_rim, ~low)
+    rims = [
         (*in_axes(rim[:3]), *(rim[3:6] @ axes), rim[6], int(free), 1)
         for rim, free in zip(solid.rims, _above_feet(solid, solid.rims[:, :3]), strict=True)
     ]
-    body["first_face"], body["faces"] = len(faces), len(solid.faces)
-    body["first_edge"] = len(edges)
-    for face, normal in zip(solid.faces, (solid.normals @ axes).tolist(), strict=True):
-        around = (first + face).tolist()
-        faces.append((*normal, len(loops), len(around)))
-        loops += around
-        edges += [(i, j) for i, j in zip(around, [*around[1:], around[0]], strict=True) if i < j]
-    body["edges"] = len(edges) - body["first_edge"]
+    loops = [face.tolist() for face in solid.faces]
+    normals = zip((solid.normals @ axes).tolist(), loops, strict=True)
+    ahead = [pair for around in loops for pair in zip(around, [*around[1:], around[0]], strict=True)]
+    edges = [(i, j) for i, j in ahead if i < j]
+    body = np.zeros(1, SOLID)
+    body["mass"], body["rm"] = solid.mass, 1.0 / math.sqrt(solid.mass)
+    body["i1"], body["i2"], body["i3"] = moments
+    body["r1"], body["r2"], body["r3"] = 1.0 / np.sqrt(moments)
+    body["points"], body["hull"], body["rims"] = len(points), len(vertices), len(rims)
+    body["faces"], body["edges"], body["kappa"] = len(loops), len(edges), friction_ratio(solid)
+    up = solid.up_at_rest
+    body["ux"], body["uy"], body["uz"] = axes[2] if up is None else up @ axes
+    body["radius"] = np.linalg.norm(vertices, axis=1).max()
+    return (
+        body,
+        points,
+        np.concatenate([corners, stands])[:, 0] - about[0] < 0.0,
+        np.array(rims, RIM),
+        np.array([(*normal, 0, len(around)) for normal, around in normals], FACE),
+        np.array([corner for around in loops for corner in around], np.int64),
+        np.array(edges, np.int64).reshape(-1, 2),
+    )
 
 
 def _above_feet(solid: Solid, points: NDArray[np.float64]) -> NDArray[np.bool_]:
@@ -319,30 +322,27 @@ an opposite one with any force, as nothing tells how hard, and hold it by fricti
 """
 
 
-def planes_of(pieces: Sequence[Piece], room: np.void) -> NDArray[np.void]:
+def planes_of(pieces: Sequence[Piece], room: Room) -> NDArray[np.void]:
     """Return a room as the engine reads it, the floor first: PLANE.
 
     Parameters
     ----------
     pieces : sequence of Piece
         What stands in it: the gaps of the walls are from what is outermost of all bodies.
-    room : CASE
-        The room's numbers.
+    room : Room
+        The room, with the walls of its plan.
     """
-    floor = [room[name] for name in ("static_friction", "kinetic_friction", "normal_restitution")]
+    floor = (room.floor.static_friction, room.floor.kinetic_friction, room.floor.normal_restitution)
     planes = [(*NORMALS["floor"], 0.0, *floor, 1)]
     for name in WALLS_AND_CEILING:
-        gap, friction, restitution = (
-            float(room[f"{name.removesuffix('_wall')}_{what}"])
-            for what in ("distance", "friction", "restitution")
-        )
-        if math.isfinite(gap):
-            normal = NORMALS[name]
+        surface: Wall | Ceiling | None = getattr(room, name)
+        if surface is not None:
+            normal, mu = NORMALS[name], surface.friction
             outermost = min(piece.reach(normal)[0] for piece in pieces)
-            offset = -gap if name == "ceiling" else outermost - gap
+            offset = outermost - surface.gap if isinstance(surface, Wall) else -surface.height
             if abs(outermost - offset) < APART:
                 offset = outermost - APART
-            planes.append((*normal, offset, friction, friction, restitution, 0))
+            planes.append((*normal, offset, mu, mu, surface.restitution, 0))
     return np.array(planes, PLANE)
 
 

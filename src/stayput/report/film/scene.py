@@ -54,7 +54,7 @@ def posed(run: Run) -> Run:
         motion=replace(motion, y=None),
         place=lasting.place + (np.array(first) - run.place[0, 0]),
         standing=(stood.piece,),
-        planes=planes_of([stood.piece], case),
+        planes=planes_of([stood.piece], held.room),
         springs=stood.springs,
         devices=tuple(device for part, device in zip(parts, run.devices, strict=True) for _ in part),
     )
