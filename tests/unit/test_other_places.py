@@ -96,7 +96,8 @@ def test_a_rectangle_reaches_a_place_from_where_falling_pieces_hit_it():
 
 def test_what_does_not_fall_sweeps_nothing():
     standing = at_rest(changed().scene().pieces[0])
-    falls = replace(standing, falls=np.ones(1, np.bool_))
+    cos, sin = np.cos(1.0), np.sin(1.0)  # far beyond where it could still rock back
+    falls = replace(standing, turn=np.array([[[cos, 0.0, sin], [0.0, 1.0, 0.0], [-sin, 0.0, cos]]]))
     swept = swept_in_falling([standing, falls])
     assert np.isnan(swept[0]).all()
-    np.testing.assert_array_equal(swept[1], standing.span[:, :2])
+    np.testing.assert_array_equal(swept[1], falls.span[:, :2])
