@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from stayput.measures.wall import REACH
 from stayput.model.room import FRICTION_RANGE, WALLS_AROUND, Room, Wall
-from stayput.montecarlo.sampling import AS_STATED, INSETS, Draw, drawn_body, drawn_surfaces
+from stayput.montecarlo.sampling import AS_STATED, INSETS, Draw, drawn_body, drawn_place, drawn_surfaces
 from stayput.simulation.placement import ORIGIN, Placement
 from stayput.simulation.placing import room_seen
 from stayput.simulation.scene import STRENGTH_RANGE, Scene
@@ -157,12 +157,13 @@ def _drawn_piece(piece: Piece, draw: Draw) -> Piece:
 
 def _drawn_room(scene: Scene, draw: Draw) -> Room:
     """Return the room as drawn; where a bracket reaches the wall from a piece as stated, it does as drawn."""
-    drawn, walls = drawn_surfaces(scene.around, draw), dict[str, Wall | None]()
+    room = scene.around
+    drawn, walls = drawn_surfaces(drawn_place(room, draw), draw), dict[str, Wall | None]()
     for name in WALLS_AROUND:
-        wall = getattr(drawn, name)
-        if wall is not None and wall.gap <= REACH:
-            most = _most_gap(tuple(scene.pieces), scene.around, name)
-            walls[name] = replace(wall, gap=min(draw.wall_gap * wall.gap, REACH, most))
+        wall, stated = getattr(drawn, name), getattr(room, name)
+        if wall is not None and stated.gap <= REACH:
+            most = _most_gap(tuple(scene.pieces), room, name)
+            walls[name] = replace(wall, gap=min(wall.gap, most))
     return replace(drawn, **walls)  # pyright: ignore[reportArgumentType]
 
 
