@@ -24,11 +24,20 @@ from stayput.simulation.case import scene_of
 from stayput.simulation.groups import Group, Track, groups_at_first, joined_traces, run_in_groups, tracks_of
 from stayput.simulation.outcome import OUTCOMES, Hit, Outcome, case_results
 from stayput.simulation.placement import ORIGIN, Placement
-from stayput.simulation.placing import Placed, joint_results, joint_springs, placed, planes_of, set_fields
+from stayput.simulation.placing import Placed, joint_results, joint_springs, placed, set_fields
 from stayput.simulation.run import PieceRun, Run, default_names
 from stayput.simulation.space_engine import STEP, TOUCHES, Gaps, SpaceShaking, SpaceTrace, run_world
 from stayput.simulation.space_fate import Fate, fates_of, slides, unrolled, upright_yaws
-from stayput.simulation.space_records import APART, Path, frames_of, matrices, product, surface_of, world_of
+from stayput.simulation.space_records import (
+    APART,
+    Path,
+    frames_of,
+    matrices,
+    planes_of,
+    product,
+    surface_of,
+    world_of,
+)
 from stayput.wording import joined, name_within
 
 if TYPE_CHECKING:
