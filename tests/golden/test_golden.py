@@ -154,7 +154,7 @@ def test_verdicts(scene: Path) -> None:
     check(f"verdict_{scene.stem}", plain(json.loads(cli("verify", scene, "--json", "--quiet"))))
 
 
-LAST_DIGIT = ("arccos", "arcsinh", "arctan2", "cos", "exp", "expm1", "hypot", "log", "log10", "power", "sin")
+INEXACT = ("arccos", "arcsinh", "arctan2", "cos", "exp", "expm1", "hypot", "log", "log10", "power", "sin")
 """Functions of NumPy whose last digit depends on the processor."""
 
 
@@ -175,7 +175,7 @@ def with_wrong_last_digit(function: Callable[..., Any], rng: np.random.Generator
 @pytest.mark.parametrize("scene", ["alone", "upstairs"])
 def test_verdicts_of_another_processor(scene: str, monkeypatch: pytest.MonkeyPatch) -> None:
     rng = np.random.default_rng(1)
-    for name in LAST_DIGIT:
+    for name in INEXACT:
         monkeypatch.setattr(np, name, with_wrong_last_digit(getattr(np, name), rng))
     file = HERE / "scenes" / f"{scene}.toml"
     check(f"verdict_{scene}", plain(json.loads(cli("verify", file, "--json", "--quiet"))))

@@ -85,7 +85,7 @@ class Capacity:
 
     @property
     def has_interval(self) -> bool:
-        """Whether an interval is told: not where all of it lies beyond the curve, or none of it is known."""
+        """Whether its interval says anything: not where it all lies beyond the curve, or is unknown."""
         bound, least = self.bound, self.measure.least
         return bound is None or least < self.low < bound or bound < self.high < math.inf
 
