@@ -40,7 +40,7 @@ def write(folder: Path) -> None:
 
 def write_readme_picture() -> None:
     """Write the README's picture; its description is the verdict's sentence, which a test compares."""
-    verdict = sp.verify(sp.read(DOCS.parent / "examples" / "bookcase.toml"), levels=[])
+    verdict = sp.verify(sp.read(DOCS.parent / "examples" / "bookcase.toml"))
     about = {"Software": None, "Description": verdict.sentence("en")}
     verdict.plot().figure.savefig(DOCS / "verdict.png", dpi=110, metadata=about)
 

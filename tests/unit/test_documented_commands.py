@@ -90,7 +90,7 @@ def test_the_readmes_picture_shows_what_its_command_prints():
     """``python docs/index_picture.py`` draws it anew."""
     with Image.open(ROOT / "docs" / "verdict.png") as picture:
         drawn = picture.info["Description"]
-    verdict = sp.verify(sp.read(ROOT / "examples" / "bookcase.toml"), levels=[], progress=False)
+    verdict = sp.verify(sp.read(ROOT / "examples" / "bookcase.toml"), progress=False)
     assert drawn == verdict.sentence("en")
 
 
