@@ -35,7 +35,7 @@ from stayput.rooms.step_words import (
     what_it_brings,
 )
 from stayput.uncertainty import USUAL
-from stayput.verification.option_runner import DEMAND_RUNS
+from stayput.verification.demand import DEMAND_RUNS
 from stayput.verification.options import inputs_of_piece
 from stayput.verification.people import PairedEstimate
 from stayput.verification.room_words import people_in, piece_name

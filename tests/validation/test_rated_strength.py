@@ -17,6 +17,7 @@ from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.rooms.purchases import quantile_of
 from stayput.uncertainty import USUAL
 from stayput.verification.changes import Change, with_changes
+from stayput.verification.demand import demand_runs
 from stayput.verification.option_runner import OptionRunner
 
 WIDTH, LENGTH, HEIGHT, MASS, G = 0.3, 0.8, 1.8, 100.0, 9.80665
@@ -42,7 +43,7 @@ def test_brackets_bear_the_static_force_of_the_tie(acceleration: float, count: i
     runner, brackets = OptionRunner(scenario, SLIDE_LIMIT, 1), LBracket(count=count, slack=0.0).unbreakable()
     option = with_changes(scenario.stated, [Change("block", brackets)], scenario.names)
     elements = [element for _, element in runner.held_by(option) if element is not None]
-    force = quantile_of(runner.devices_of(option, 0), elements)
+    force = quantile_of(demand_runs(runner, option, option).devices, elements)
     tie = MASS * (acceleration * 0.5 * HEIGHT - G * 0.5 * WIDTH) / HEIGHT
     # the brackets also bear shear at the back as it rises, which takes a part of the moment
     assert count * (force.pull + force.shear * WIDTH / HEIGHT) == pytest.approx(tie, rel=0.02)

@@ -132,12 +132,6 @@ class SceneRunner:
             composed.append(self._composed(scene, runs_of_groups, members, keep))
         return composed
 
-    def devices_of(self, scene: Scene, body: int, members: Members) -> NDArray[np.void]:
-        """Return what became of what holds a piece: DEVICE, shape (runs, devices)."""
-        standing = next(each for each in self.standings(scene) if body in each.group)
-        place = standing.group.index(body)
-        return np.array([run.devices[place][0] for run in self._runs_of([standing], members)[0]])
-
     def _runs_of(self, standings: Sequence[Standing], members: Members) -> list[list[KindRun]]:
         return self.library.runs_of(standings, [*members], self._threads, self._advance)
 

@@ -421,7 +421,8 @@ class _Planner:
         if not any(measure.drilled for measure in measures):
             return measures
         length = self.scene.pieces[body].body.length or 0.0
-        purchases = purchases_of(self.runner, self._with(self._on(body, measures)), measures, body)
+        option = self._with(self._on(body, measures))
+        purchases = purchases_of(self.runner, option, measures, body, TRIAL_RUNS)
         fitted = tuple(in_number(purchase, length) for purchase in purchases)
         return measures if self._refused(body, fitted) else fitted
 

@@ -1,8 +1,4 @@
-"""What to buy for a piece, and how strong.
-
-A device that gives way bears no more than its strength, and tells nothing of what it would have had to bear.
-So its peak forces are taken from runs in which it cannot fail, with the stiffness that it has.
-"""
+"""What to buy for a piece, and how strong: the strengths are those of `stayput.verification.demand`."""
 
 from __future__ import annotations
 
@@ -17,6 +13,7 @@ from numpy.typing import NDArray
 from stayput.measures.wall import WallDevice, most_on_studs
 from stayput.simulation.placing import placed
 from stayput.uncertainty import USUAL
+from stayput.verification.demand import DEMAND_RUNS, demand_runs
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
@@ -103,7 +100,11 @@ def more_than(needed: DeviceForces, holds: DeviceForces) -> float:
 
 
 def purchases_of(
-    runner: OptionRunner, option: Option, measures: tuple[Measure, ...], body: int
+    runner: OptionRunner,
+    option: Option,
+    measures: tuple[Measure, ...],
+    body: int,
+    count: int = DEMAND_RUNS,
 ) -> tuple[Purchase, ...]:
     """Return what to buy for a piece: how strong one must be, and how strong what it is fixed to is.
 
@@ -117,13 +118,16 @@ def purchases_of(
         What is put on the piece, beside what is on it already.
     body : int
         The piece.
+    count : int
+        How many runs tell it.
     """
     scene = runner.scene(option)
     held, kinds = placed(scene)[body].held, {measure.kind for measure in measures}
     assert held is not None
     strong = tuple(measure.unbreakable() if measure.kind in kinds else measure for measure in option.on[body])
     on = (*option.on[:body], strong, *option.on[body + 1 :])
-    devices = runner.devices_of(replace(option, on=on), body)
+    of_piece = [names == (scene.names[body],) for names, _ in runner.held_by(option)]
+    devices = demand_runs(runner, option, replace(option, on=on), count).devices[:, of_piece]
     purchases: list[Purchase] = []
     for measure in measures:
         like = [n for n, element in enumerate(held.elements) if element.kind == measure.kind]

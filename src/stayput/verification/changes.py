@@ -300,10 +300,9 @@ def places_at_walls(
     half_depth, half_length = (0.5 * np.ptp(solid.vertices[:, :2], axis=0)).tolist()
     height = float(solid.vertices[:, 2].max())
     for wall, heading in FACING.items():
-        if half_length > 0.5 * plan.side(wall):
-            continue
         places: list[tuple[float, float]] = []
-        for along in _spread(half_length, plan.side(wall) - half_length):
+        # as far from a wall beside it as from that behind it, where the skirting board ends
+        for along in _spread(half_length + BEHIND, plan.side(wall) - half_length - BEHIND):
             at = plan.on_wall(wall, along, half_depth + BEHIND)
             corners = rectangle(at, 2.0 * half_depth, 2.0 * half_length, heading)
             if floor.fits(corners, height=height, but_piece=body):

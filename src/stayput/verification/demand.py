@@ -1,7 +1,8 @@
 """What the devices of an option would have to bear: their forces in runs in which they cannot fail.
 
-A device that fails has borne no more than its strength. So demand over strength is taken from runs with the
-same device in its unbreakable form, of the same stiffness, under the same motions and draws.
+A device that fails has borne no more than its strength, and tells nothing of what it would have had to bear.
+So runs in which one reaches its strength are repeated with devices in their unbreakable form, of the same
+stiffness, under the same motions and draws. The others would be the same.
 """
 
 from __future__ import annotations
@@ -12,13 +13,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.montecarlo.counting import Quantiles
+from stayput.montecarlo.runs import Runs
 
 if TYPE_CHECKING:
     from stayput.measures import Element
-    from stayput.montecarlo.runs import Runs
     from stayput.scenario.measures import Option
     from stayput.verification.option_runner import OptionRunner
     from stayput.verification.verdict import OptionVerdict
+
+DEMAND_RUNS = 16
+"""Runs at the stated shaking with unbreakable devices: the median of 16 peaks is within their middle half."""
 
 
 def with_demand(runner: OptionRunner, verdict: OptionVerdict) -> OptionVerdict:
@@ -31,15 +35,37 @@ def with_demand(runner: OptionRunner, verdict: OptionVerdict) -> OptionVerdict:
     verdict : OptionVerdict
         The verdict on it.
     """
-    held = runner.held_by(verdict.option)
+    option = verdict.option
+    held = runner.held_by(option)
     if not any(element is not None for _, element in held):
         return verdict
-    (runs,) = runner.run([unbreakable(verdict.option)], runner.demand_members)
+    runs = demand_runs(runner, option, unbreakable(option))
     devices = tuple(
         device if element is None else replace(device, demand=_demand(element, runs, number))
         for number, (device, (_, element)) in enumerate(zip(verdict.devices, held, strict=True))
     )
     return replace(verdict, devices=devices)
+
+
+def demand_runs(runner: OptionRunner, option: Option, strong: Option, count: int = DEMAND_RUNS) -> Runs:
+    """Return runs of an option at the stated shaking, in which its devices bear what is asked of them.
+
+    Parameters
+    ----------
+    runner : OptionRunner
+        The motions and draws.
+    option, strong : Option
+        The option, and the same with devices that cannot fail.
+    count : int
+        How many runs.
+    """
+    members = runner.members.chosen(runner.members.level == 0).chosen(slice(count))
+    (runs,) = runner.run([option], members)
+    broken = (runs.used >= 1.0).any(axis=1)
+    if not broken.any():
+        return runs
+    (repeated,) = runner.run([strong], members.chosen(broken))
+    return Runs.joined([runs.chosen(~broken), repeated])
 
 
 def unbreakable(option: Option) -> Option:

@@ -26,8 +26,6 @@ from stayput.simulation.space import warn_of_settlement
 from stayput.verification.events import RoomEventDetector
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from stayput.model.floor_plan import FloorPlan
     from stayput.montecarlo.counting import Member
     from stayput.motion.record import Motion
@@ -36,9 +34,6 @@ if TYPE_CHECKING:
     from stayput.simulation.run import Run
     from stayput.simulation.scene import Scene
 
-
-DEMAND_RUNS = 16
-"""Runs at the stated shaking with unbreakable devices: the median of 16 peaks is within their middle half."""
 
 MOST_EVENTS = 2000
 """Events of a run in the plane that its plot marks: the first ones, and the last."""
@@ -194,11 +189,6 @@ class OptionRunner:
             known = self._scenes[id(option)] = option, self._scene(option)
         return known[1]
 
-    @property
-    def demand_members(self) -> Members:
-        """The runs from which it is told what devices would have to bear."""
-        return self.members.chosen(self.members.level == 0).chosen(slice(DEMAND_RUNS))
-
     @cached_property
     def _as_stated(self) -> Scene:
         return self.scenario.scene(self.scenario.stated)
@@ -278,8 +268,3 @@ class OptionRunner:
             return run_level(rows, self.all_floors, members, threads=self.threads, progress=self.advance)
         with self.scenario.naming_keys():
             return self.scene_runner.run([*map(self.scene, options)], members, keep=keep)
-
-    def devices_of(self, option: Option, body: int) -> NDArray[np.void]:
-        """Return what became of what holds a piece of a scene; see `SceneRunner.devices_of`."""
-        with self.scenario.naming_keys():
-            return self.scene_runner.devices_of(self.scene(option), body, self.demand_members)

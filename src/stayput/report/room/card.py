@@ -21,7 +21,7 @@ from stayput.rooms import step_words
 from stayput.rooms.purchases import MARGIN, QUANTILE
 from stayput.rooms.steps import COST_BOUNDS, ActionPlan, Fix, PlanStep
 from stayput.uncertainty import USUAL, Lognormal
-from stayput.verification.option_runner import DEMAND_RUNS
+from stayput.verification.demand import DEMAND_RUNS
 from stayput.verification.room_words import motion_phrase, people_in, piece_name, piece_within
 from stayput.verification.words import shaking_phrase
 from stayput.wording import joined
