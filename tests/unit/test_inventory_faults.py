@@ -8,6 +8,7 @@ import os
 import random
 import shutil
 import signal
+import sqlite3
 import time
 from pathlib import Path
 
@@ -179,6 +180,14 @@ def test_outcomes_that_are_lost_are_simulated_again(inputs, expected, finished, 
     breaks(done / "work" / "outcomes.sqlite")
     runs = assess(*inputs, done, progress=False).runs
     assert runs == finished.runs or breaks is _cut  # of what was cut off nothing may have been needed
+    check(done, expected)
+
+
+def test_the_rest_of_a_unit_is_simulated(inputs, expected, done):
+    with contextlib.closing(sqlite3.connect(done / "work" / "outcomes.sqlite")) as base, base:
+        base.execute("DELETE FROM outcomes WHERE number % 2 = 1")
+        base.execute("DELETE FROM parts")
+    assess(*inputs, done, progress=False)
     check(done, expected)
 
 

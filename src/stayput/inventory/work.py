@@ -333,14 +333,16 @@ class Work:
     def _units_at(self, site: int, width: int) -> Iterator[list[tuple[list[str], Unit]]]:
         """Yield the units of a site that are not done, with their options, as many as a task takes."""
         units, seconds = list[tuple[list[str], Unit]](), 0.0
-        for number, options, spec in self.store.units_at(site):
-            if self.done[number]:
+        for number, place, spec in self.store.units_at(site):
+            options = self.options[place]
+            # one that was interrupted may have left records of a part of them
+            if self.done[number : number + len(options)].all():
                 continue
-            units.append((self.options[options], (number, spec)))
+            units.append((options, (number, spec)))
             pace = self.seconds / self.units if self.units else FIRST_GUESS
             seconds += pace
             # the last tasks are short, so that all threads end at about the same time
-            at_the_end = pace * self.left / (4.0 * width * len(self.options[options]))
+            at_the_end = pace * self.left / (4.0 * width * len(options))
             if seconds >= min(SECONDS, max(at_the_end, 0.02)) or len(units) >= MOST_UNITS:
                 yield units
                 units, seconds = [], 0.0

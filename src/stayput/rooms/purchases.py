@@ -100,11 +100,7 @@ def more_than(needed: DeviceForces, holds: DeviceForces) -> float:
 
 
 def purchases_of(
-    runner: OptionRunner,
-    option: Option,
-    measures: tuple[Measure, ...],
-    body: int,
-    count: int = DEMAND_RUNS,
+    runner: OptionRunner, option: Option, measures: tuple[Measure, ...], body: int, count: int = DEMAND_RUNS
 ) -> tuple[Purchase, ...]:
     """Return what to buy for a piece: how strong one must be, and how strong what it is fixed to is.
 

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from stayput.mechanics.columns import OVERTURNED_OUTCOME
 from stayput.model.floor_plan import Door, FloorPlan, PersonPlace, rectangle
@@ -26,8 +25,6 @@ from stayput.simulation.space_records import Path
 if TYPE_CHECKING:
     from stayput.montecarlo.runs import Runs
     from stayput.simulation.run import Run
-
-_images: Any = ndimage  # its results depend on its arguments, which its types do not tell
 
 CELL = 0.05
 """Side of a cell [m]."""
@@ -143,10 +140,13 @@ class WalkableGrid:
 
     def _walkable(self, covered: NDArray[np.bool_]) -> NDArray[np.int64]:
         """Return to which of the connected parts of the walkable floor cells belong, 0 for none."""
+        from scipy import ndimage  # loading it takes longer than a run
+
+        images: Any = ndimage  # its results depend on its arguments, which its types do not tell
         # a frame of one cell stands for the walls, whose faces are half a cell from the first middles
         obstacles = np.pad(covered | self._taken, 1, constant_values=True)
-        clear: NDArray[np.float64] = CELL * (_images.distance_transform_edt(~obstacles)[1:-1, 1:-1] - 0.5)
-        return _images.label(clear >= 0.5 * PASSAGE - 0.5 * CELL, structure=np.ones((3, 3)))[0]
+        clear: NDArray[np.float64] = CELL * (images.distance_transform_edt(~obstacles)[1:-1, 1:-1] - 0.5)
+        return images.label(clear >= 0.5 * PASSAGE - 0.5 * CELL, structure=np.ones((3, 3)))[0]
 
     def _beside(self, parts: NDArray[np.int64], reach: NDArray[np.bool_]) -> set[int]:
         return set(np.unique(parts[reach]).tolist()) - {0}
