@@ -135,9 +135,9 @@ class FragilityCurve(InJson):
     >>> trials = sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40])
     >>> curve = sp.FragilityCurve("bookcase", trials)
     >>> curve.capacity(0.5).text, curve.levels[1].probability.text
-    ('4.04 m/s² (3.49 to 4.77)', 'about 50 % (33 to 63 %)')
+    ('4.04 m/s² (3.46 to 4.72)', 'about 50 % (33 to 63 %)')
     >>> f"median {curve.lognormal.median:.2f} m/s², dispersion {curve.lognormal.dispersion:.2f}"
-    'median 4.04 m/s², dispersion 0.52'
+    'median 4.04 m/s², dispersion 0.49'
     """
 
     name: str

@@ -48,11 +48,11 @@ PEAK_SLOPE, PEAK_SCATTER = 3.3, 0.6
 EFOLDS = 0.5 * math.log(10.0)
 """E-folds of the shaking in a unit of an intensity: JMA's is 2 log10 of it and a constant."""
 
-_POINTS = (61, 25)
-"""Points of a grid along a and ln b."""
+_FINDING, _POINTS = (25, 13), (61, 25)
+"""Points along a and ln b of two grids that find where there is weight, and of the one over that part."""
 
-_PASSES = 3
-"""Grids one after the other, each over the part of the last one that has weight."""
+_GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
+"""The golden section, of which multiples are spread evenly over a step."""
 
 _NO_WEIGHT = 1e-6
 """Weight of a point, in that of the likeliest, below which it is left out."""
@@ -65,6 +65,19 @@ _STEEPEST = 700.0
 
 _SHRINKS = 4.0
 """Runs without a correlation that are added before that of two options is estimated."""
+
+
+def staggered(
+    first: NDArray[np.float64], second: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the points of a grid of even axes, each row and column shifted by another part of a step.
+
+    So no two points have the same coordinate, and quantiles of each are as fine as there are points.
+    """
+    rows, columns = (np.arange(len(axis)) * _GOLDEN % 1.0 - 0.5 for axis in (first, second))
+    a = first[:, np.newaxis] + (first[1] - first[0]) * columns
+    b = second + (second[1] - second[0]) * rows[:, np.newaxis]
+    return a, b
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -139,27 +152,28 @@ class LogitFit:
         gamma, delta = np.transpose(LIMITS)[:, :, np.newaxis, np.newaxis]
 
         def weights(a: NDArray[np.float64], log_b: NDArray[np.float64]) -> NDArray[np.float64]:
-            """Return the posterior at each pair of limits, a and ln b, the largest of which is 1."""
-            a = a[:, np.newaxis]
+            """Return the posterior at each pair of limits and each point of a grid, the largest being 1."""
             each = 0.5 * (log_expit(a) + log_expit(-a)) - 0.5 * ((log_b - usual) / scatter) ** 2
             for of_cell, fallen, standing in zip(x, falls, stands, strict=True):
                 z = (a + np.exp(log_b) * of_cell).clip(-_STEEPEST, _STEEPEST)
-                each = each + fallen * np.log(gamma + (delta - gamma) * expit(z))
-                # not of 1 − p, which rounding loses where p is nearly 1
-                each = each + standing * np.log((1.0 - delta) + (delta - gamma) * expit(-z))
+                if fallen > 0.0:
+                    each = each + fallen * np.log(gamma + (delta - gamma) * expit(z))
+                if standing > 0.0:  # not of 1 − p, which rounding loses where p is nearly 1
+                    each = each + standing * np.log((1.0 - delta) + (delta - gamma) * expit(-z))
             return np.exp(each - each.max())
 
-        ends = (-_LARGEST_LOGIT, _LARGEST_LOGIT), (usual - 4.0 * scatter, usual + 4.0 * scatter)
-        axes = [np.linspace(*end, points) for end, points in zip(ends, _POINTS, strict=True)]
-        weight = weights(*axes)
-        for _ in range(_PASSES - 1):
+        ends = [(-_LARGEST_LOGIT, _LARGEST_LOGIT), (usual - 4.0 * scatter, usual + 4.0 * scatter)]
+        for _ in range(2):
+            axes = [np.linspace(*end, points) for end, points in zip(ends, _FINDING, strict=True)]
+            weight = weights(*staggered(*axes))
             for axis, others in enumerate(((0, 2), (0, 1))):
                 some = np.flatnonzero(weight.max(axis=others) > _NO_WEIGHT)
                 first, last = max(int(some[0]) - 1, 0), min(int(some[-1]) + 1, len(axes[axis]) - 1)
-                axes[axis] = np.linspace(axes[axis][first], axes[axis][last], _POINTS[axis])
-            weight = weights(*axes)
+                ends[axis] = float(axes[axis][first]), float(axes[axis][last])
+        a, log_b = staggered(*(np.linspace(*end, points) for end, points in zip(ends, _POINTS, strict=True)))
+        weight = weights(a, log_b)
         chosen = weight > _NO_WEIGHT
-        points = np.broadcast_arrays(axes[0][:, np.newaxis], np.exp(axes[1]), gamma, delta)
+        points = np.broadcast_arrays(a, np.exp(log_b), gamma, delta)
         a, b, gamma, delta = (column[chosen] for column in points)
         return cls(middle, a, b, gamma, delta, weight[chosen] / weight[chosen].sum(), effect)
 
