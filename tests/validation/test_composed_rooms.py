@@ -22,7 +22,7 @@ from stayput.verification.events import FALLS, RoomEventDetector
 from stayput.verification.option_runner import OptionRunner
 
 SHELF = {"width": 0.3, "height": 1.8, "mass": 80.0, "length": 0.9}
-SHAKING = {"intensity": "6-upper", "suite": {"family": "mixed", "count": 24}}
+SHAKING = {"intensity": "6-upper", "suite": {"family": "mixed", "count": 16}}
 
 BEDROOM: dict[str, Any] = {
     "plan": {"width": 3.6, "length": 2.7},
@@ -63,7 +63,7 @@ OFFICE: dict[str, Any] = {
     "shaking": SHAKING,
 }
 
-RUNS = 24
+RUNS = 16
 
 
 class Answer(NamedTuple):
@@ -127,10 +127,10 @@ def test_a_composed_room_answers_as_one_whose_pieces_meet(table: dict[str, Any])
     mine, theirs = composed(runner), followed(runner)
     # impacts enlarge rounding, which differs along other axes: even without meetings runs differ
     assert np.mean(mine.fell == theirs.fell) >= 0.92
-    # counts of anybody hit and any door blocked differ by no more than what an interval of 24 runs allows
+    # counts of anybody hit and any door blocked differ by no more than what an interval of 16 runs allows
     for name in ("hit", "blocked"):
         any_of_it = [getattr(answer, name).reshape(RUNS, -1).any(axis=1) for answer in (mine, theirs)]
         assert np.mean(any_of_it[0] != any_of_it[1]) <= 0.1
-    # run by run, as a single fall weighs much: within the interval of the mean difference of 24 runs
+    # run by run, as a single fall weighs much: within the interval of the mean difference of 16 runs
     more = mine.energy.sum(axis=(1, 2)) - theirs.energy.sum(axis=(1, 2))
-    assert abs(more.mean()) <= 2.07 * more.std(ddof=1) / math.sqrt(RUNS) + 1e-9
+    assert abs(more.mean()) <= 2.13 * more.std(ddof=1) / math.sqrt(RUNS) + 1e-9
