@@ -97,6 +97,7 @@ def about(axis: np.ndarray, angle: float) -> np.ndarray:
     return np.array([math.cos(0.5 * angle), *(math.sin(0.5 * angle) * axis)])
 
 
+@pytest.mark.long  # it compiles steps and flows into an entry of its own
 @pytest.mark.parametrize(
     ("points", "sticks"), [(1, True), (2, True), (1, False), (2, False), (4, False)]
 )  # what sticks on four rests

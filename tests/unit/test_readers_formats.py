@@ -371,7 +371,7 @@ def test_files_that_are_refused(refusal, text, message):
 def test_csmip_a_byte_changed_in_a_line_that_announces_never_drops_or_swaps_a_component(read):
     whole, _ = read(THREE)
     for found in re.finditer(r".*POINTS OF.*|/&.*CHANNEL.*", THREE):
-        for place in range(found.start(), found.end()):
+        for place in range(found.start(), found.end(), 2):
             for other in "X 1":
                 with suppress(sp.InputError):
                     motion, _ = read(THREE[:place] + other + THREE[place + 1 :])

@@ -162,7 +162,7 @@ def test_the_user_s_own_name_is_kept(language):
 
 @pytest.mark.parametrize("language", ["en", "ja"])
 @pytest.mark.parametrize("share", [0.0, 1.0 / 16000.0, 0.004, 0.5, 0.996, 1.0 - 1.0 / 16000.0, 1.0])
-@pytest.mark.parametrize("slide", [0.0, 1e-4, 0.012, 0.3, 2.0, 14.6, math.inf, math.nan])
+@pytest.mark.parametrize("slide", [0.0, 1e-4, 2.0, math.inf, math.nan])
 def test_reasons_for_small_and_large_numbers(language, share, slide):
     verdict = verdict_cases.made()
     chance = replace(verdict.best.probabilities[DEVICE_FAILED], estimate=share)

@@ -52,7 +52,7 @@ def test_intervals_of_twenty_motions_hold_the_truth(family: Mixture, twenty: Cov
     assert _least(family, quantity) <= twenty.held[quantity] <= 1.0
 
 
-@pytest.mark.parametrize("design", [(5, 4), (40, 10)])
+@pytest.mark.parametrize("design", [(5, 4), pytest.param((40, 10), marks=pytest.mark.long)])
 def test_intervals_of_few_and_of_many_motions_hold_the_truth(
     family: Mixture, design: tuple[int, int]
 ) -> None:
@@ -77,7 +77,7 @@ def _changes(family: Mixture, motions: int, samples: int, studies: int) -> np.nd
     return np.array(rows)
 
 
-@pytest.mark.parametrize("design", [(20, 2), (40, 10)])
+@pytest.mark.parametrize("design", [(20, 2), pytest.param((40, 10), marks=pytest.mark.long)])
 def test_intervals_of_differences_are_no_wider_than_they_need_be(
     family: Mixture, design: tuple[int, int]
 ) -> None:

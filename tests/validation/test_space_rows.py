@@ -54,6 +54,7 @@ def test_ten_blocks_bear_their_own_weight_under_shaking() -> None:
     assert max(piece.slide.max() for piece in run.pieces) < 1e-6
 
 
+@pytest.mark.long
 def test_a_tower_of_ten_under_strong_shaking_runs_to_its_end() -> None:
     """It falls, and hardly a step is left without impulses that fit."""
     block = sp.Body.box(0.5, 0.5, 0.3, 20.0)
