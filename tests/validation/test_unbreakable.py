@@ -63,7 +63,7 @@ def test_the_demand_on_a_device_that_fails_is_in_balance(
 @pytest.mark.parametrize("dimensions", [2, 3])
 @pytest.mark.parametrize("kind", MEASURES)
 def test_where_nothing_fails_what_cannot_fail_has_the_same_bits(kind: str, dimensions: int):
-    """So verdicts repeat only runs in which something reaches its strength (`stayput.verification.demand`)."""
+    """So verdicts repeat only runs in which something reaches its strength: `stayput.verification.demand`."""
     room, shaking = sp.Room(left_wall=sp.Wall(0.02), ceiling=sp.Ceiling(2.3)), sp.near_fault().scaled(0.25)
     measure = MEASURES[kind]()
     body = sp.Body(WIDTH, HEIGHT, MASS, length=0.9)
