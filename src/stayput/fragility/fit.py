@@ -54,6 +54,10 @@ _FINDING, _POINTS = (25, 13), (61, 25)
 _GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 """The golden section, of which multiples are spread evenly over a step."""
 
+_MOST_CELLS = 64
+"""Most coordinates of runs that are told apart: a verification has three levels of JMA's intensity, and as
+many peaks as motions at each."""
+
 _NO_WEIGHT = 1e-6
 """Weight of a point, in that of the likeliest, below which it is left out."""
 
@@ -65,6 +69,15 @@ _STEEPEST = 700.0
 
 _SHRINKS = 4.0
 """Runs without a correlation that are added before that of two options is estimated."""
+
+
+def _cells(u: NDArray[np.float64], runs: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
+    """Return different coordinates, and of which of them each is; where they are many, means of near ones."""
+    x, of_cell = np.unique(u, return_inverse=True)
+    if len(x) <= _MOST_CELLS:
+        return x, of_cell
+    _, of_cell = np.unique(np.rint((u - x[0]) / (x[-1] - x[0]) * _MOST_CELLS), return_inverse=True)
+    return np.bincount(of_cell, u * runs) / np.bincount(of_cell, runs), of_cell
 
 
 def staggered(
@@ -123,7 +136,7 @@ class LogitFit:
             The number of each cell's motion; None where all runs are independent.
         """
         middle = float(np.average(u, weights=runs))
-        x, of_cell = np.unique(u - middle, return_inverse=True)  # a verification has three levels
+        x, of_cell = _cells(u - middle, runs)
         falls, stands = (np.bincount(of_cell, k).astype(np.float64) for k in (fell, runs - fell))
         if motion is None:
             return cls._posterior(measure, middle, x, falls, stands)
