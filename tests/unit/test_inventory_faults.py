@@ -175,9 +175,27 @@ def test_a_broken_part_is_made_again(inputs, expected, done, breaks):
     check(done, expected)
 
 
-@pytest.mark.parametrize("breaks", [_cut, _empty, Path.unlink])
+def _garble(path: Path) -> None:
+    content = bytearray(path.read_bytes())
+    content[4096:8192] = random.Random(1).randbytes(4096)
+    path.write_bytes(content)
+
+
+def _rename_columns(path: Path) -> None:
+    path.unlink()
+    with contextlib.closing(sqlite3.connect(path)) as base, base:
+        base.execute("CREATE TABLE outcomes (place INTEGER PRIMARY KEY, record BLOB)")
+
+
+def _shorten_records(path: Path) -> None:
+    with contextlib.closing(sqlite3.connect(path)) as base, base:
+        base.execute("UPDATE outcomes SET record = substr(record, 2) WHERE number = 3")
+
+
+@pytest.mark.parametrize("breaks", [_cut, _empty, Path.unlink, _garble, _rename_columns, _shorten_records])
 def test_outcomes_that_are_lost_are_simulated_again(inputs, expected, finished, done, breaks):
     breaks(done / "work" / "outcomes.sqlite")
+    shutil.rmtree(done / "pieces")
     runs = assess(*inputs, done, progress=False).runs
     assert runs == finished.runs or breaks is _cut  # of what was cut off nothing may have been needed
     check(done, expected)

@@ -161,8 +161,21 @@ def anchor(strength: float) -> sp.Measure:
     return Anchor()
 
 
-def test_measures_of_ones_own_that_say_the_same_are_other_kinds() -> None:
-    scene = [sp.Scene([sp.Piece(sp.Body(**SHELF), measures=[anchor(force)])]) for force in (50.0, 5000.0)]
+class Rope(sp.Measure):
+    """A measure of one's own that is no dataclass, so that all compare equal."""
+
+    kind, label, about = "rope", ("Rope", "ロープ"), ("a rope", "ロープ")
+
+    def __init__(self, strength: float) -> None:
+        object.__setattr__(self, "strength", strength)
+
+    def apply(self, body: sp.Body, room: sp.Room) -> Any:
+        raise NotImplementedError
+
+
+@pytest.mark.parametrize("of", [anchor, Rope])
+def test_measures_of_ones_own_that_say_the_same_are_other_kinds(of: Any) -> None:
+    scene = [sp.Scene([sp.Piece(sp.Body(**SHELF), measures=[of(force)])]) for force in (50.0, 5000.0)]
     draws = SceneDraws(Scenario.parse(ROOM), 1)
     weak, strong = (standings_of(each, draws)[0].kind.key for each in scene)
     assert weak != strong

@@ -14,7 +14,9 @@ import pytest
 import stayput as sp
 from stayput import estimates
 from stayput.fragility.intensity_measures import PGA
+from stayput.measures import Belt
 from stayput.standards.equipment import equipment_loads, position_of
+from stayput.verification.changes import Change
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -55,6 +57,7 @@ GOOD: tuple[tuple[Callable[..., Any], dict[str, Any]], ...] = (
     (sp.Body.from_parts, SIZE | {"parts": [sp.Part(10.0, 0.0, 0.9, 0.4, 1.8)]}),
     (sp.Body.bookcase, SIZE | {"mass": 10.0, "loads": [5.0]}),
     fields(sp.Part, mass=1.0, x=0.0, z=0.5),
+    fields(Change, what="shelf", measure=Belt(), at=(1.0, 0.5), heading=0.0),
     fields(sp.Floor),
     (sp.Floor.of, {"surface": "vinyl"}),
     fields(sp.Wall, gap=0.02),

@@ -154,7 +154,7 @@ class Trials:
             numbers(name, row, name, values.size)
             for name, row in (("im", im), ("fell", fell), ("runs", runs))
         )
-        bad = ~((k >= 0.0) & (k <= n) & (k == np.rint(k)) & (n == np.rint(n)))
+        bad = ~((k >= 0.0) & (k <= n) & (n < np.inf) & (k == np.rint(k)) & (n == np.rint(n)))
         if bad.any():
             raise InputError("fragility.bad_counts", fell=k[bad][0], runs=n[bad][0])
         return cls._of_cells(measure, values, k, n, np.arange(len(values)), None)

@@ -221,18 +221,30 @@ class OutcomeStore:
         self.done = np.zeros(records, np.bool_)
         try:
             self._open(path)
-        except sqlite3.OperationalError:  # of the disk
-            raise
-        except sqlite3.DatabaseError:
-            for damaged in (path, path.with_name(f"{path.name}-journal")):
-                damaged.unlink(missing_ok=True)
-            self._open(path)
+        except sqlite3.OperationalError as error:
+            if error.sqlite_errorcode != sqlite3.SQLITE_ERROR:  # of the disk, not of other columns
+                raise
+            self._open_anew(path)
+        except (sqlite3.DatabaseError, ValueError):
+            self._open_anew(path)
 
     def _open(self, path: Path) -> None:
+        """Open the file; refuse one that is damaged, or has other records than the plan."""
         self._base = sqlite3.connect(path)
         self._base.executescript(_OUTCOMES)
+        (state,) = self._base.execute("PRAGMA quick_check(1)").fetchone()
+        wrong = "SELECT count(*) FROM outcomes WHERE length(record) != ? OR number >= ?"
+        (others,) = self._base.execute(wrong, (RECORD.itemsize, len(self.done))).fetchone()
+        if state != "ok" or others:
+            raise ValueError(state)
         numbers = self._base.execute("SELECT number FROM outcomes")
         self.done[np.fromiter((number for (number,) in numbers), np.int64)] = True
+
+    def _open_anew(self, path: Path) -> None:
+        self._base.close()
+        for damaged in (path, path.with_name(f"{path.name}-journal")):
+            damaged.unlink(missing_ok=True)
+        self._open(path)
 
     def close(self) -> None:
         """Close the file."""

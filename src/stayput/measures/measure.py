@@ -6,7 +6,8 @@ How well a result is founded is told by a grade, that of the weakest of the inpu
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from types import MappingProxyType
@@ -16,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stayput.catalogue import TEXTS, Phrase, is_phrase, phrase
-from stayput.errors import InputError, instance_of, list_of, no_length
+from stayput.errors import InputError, instance_of, list_of, no_length, word_of
 from stayput.measures.element import at_rest
 from stayput.measures.sketch import Shape
 from stayput.mechanics.devices.columns import ELEMENT
@@ -310,6 +311,24 @@ class UnderTheBase(Measure):
 _ORDER = ("the body", "the room", "the base", "the tie")
 
 
+def identity_of(measure: Measure) -> Hashable:
+    """Return what is equal of two measures only where they do the same, also of classes of one's own.
+
+    A class without an equality of its own may hold what its fields and its text do not tell.
+    """
+    if "__eq__" in vars(type(measure)):
+        with suppress(TypeError):  # of a field that cannot be hashed, as an array
+            hash(measure)
+            return measure
+    return measure.apply  # methods are equal where they are of the same object
+
+
+def _step_of(measure: Measure) -> int:
+    """Return when a measure is put in place beside others."""
+    name = f"acts_on of {measure.kind}"
+    return _ORDER.index(word_of(name, measure.acts_on, _ORDER, name))
+
+
 def hold(body: Body, room: Room, measures: Iterable[Measure], *, dimensions: int = 2) -> Held:
     """Put measures in place together.
 
@@ -349,7 +368,7 @@ def hold(body: Body, room: Room, measures: Iterable[Measure], *, dimensions: int
     if asked and body.shape is not None:
         raise InputError("model.another_shape", "measures")
     elements_of: dict[int, tuple[Element, ...]] = {}
-    for place in sorted(range(len(asked)), key=lambda n: _ORDER.index(asked[n].acts_on)):
+    for place in sorted(range(len(asked)), key=lambda n: _step_of(asked[n])):
         held = instance_of(f"apply() of {asked[place].kind}", asked[place].apply(body, room), Held)
         body, room, elements_of[place] = held.body, held.room, held.elements
     elements = tuple(element for place in range(len(asked)) for element in elements_of[place])

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from stayput.execution import Pool
 from stayput.measures.element import utilisation
+from stayput.measures.measure import identity_of
 from stayput.model.room import WALLS_AROUND
 from stayput.montecarlo.runs import without_free_slide
 from stayput.montecarlo.sampling import drawn_floor
@@ -59,8 +60,8 @@ class PieceKind:
     streams : tuple of str
         The names of their draws; see `SceneDraws.streams`.
     key : hashable
-        What tells it from other kinds: what it says of itself, and the classes of its measures, of which two
-        of one's own may say the same.
+        What tells it from other kinds: what it says of itself, and its measures, of which two of one's own
+        may say the same.
     tracked : bool
         Whether something else than the pieces asks where they were: others, people, or walls left out.
     """
@@ -78,8 +79,8 @@ class PieceKind:
         """Return that of a scene in axes of its own."""
         pieces = [(piece.body, piece.at, piece.heading, piece.measures) for piece in scene.pieces]
         moves = [(piece.tilt, piece.velocity, piece.rotation_rate) for piece in scene.pieces]
-        classes = tuple(type(measure) for piece in scene.pieces for measure in piece.measures)
-        key = repr((pieces, moves, scene.joints, scene.room, scene.friction, streams)), classes
+        measures = tuple(identity_of(measure) for piece in scene.pieces for measure in piece.measures)
+        key = repr((pieces, moves, scene.joints, scene.room, scene.friction, streams)), measures
         return cls(scene, called, streams, key, tracked)
 
     @cached_property

@@ -10,7 +10,7 @@ under the same earthquakes and draws.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -18,6 +18,7 @@ import numpy as np
 
 from stayput.catalogue import Phrase, phrase
 from stayput.errors import InputError, instance_of
+from stayput.measures.measure import identity_of
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.progress import tally
 from stayput.rooms.purchases import in_number, purchases_of
@@ -172,7 +173,7 @@ class _Planner:
         self.drilled: dict[str, Fix] = {}
         self.not_enough: dict[str, Fix] = {}
         self._not_taken: dict[str, dict[tuple[str, ...], Phrase]] = {}
-        self._known: dict[tuple[str, int], OptionVerdict] = {}
+        self._known: dict[Hashable, OptionVerdict] = {}
         # whether a set on a piece brings something, even if it is too weak: two together may then be enough
         self._clear: dict[tuple[int, tuple[str, ...]], bool] = {}
         self.moves = self._moves()
@@ -247,7 +248,9 @@ class _Planner:
 
     def _effect(self, changes: Sequence[Change], count: int = PLAN_RUNS) -> OptionVerdict:
         """Return what changes bring in the first so many runs."""
-        key = repr(sorted(map(repr, changes))), count
+        ordered = sorted(changes, key=repr)
+        measures = tuple(change.measure and identity_of(change.measure) for change in ordered)
+        key = repr(ordered), measures, count
         if key not in self._known:
             option = self._with(changes)
             (runs,) = self.runner.run([option], self._members.chosen(slice(count)))

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from stayput.errors import InputError
+from stayput.errors import InputError, finite, instance_of, numbers
 from stayput.measures import MEASURES, Measure
 from stayput.measures.wall import REACH, WallDevice, most_on_studs
 from stayput.model.floor_plan import FACING, FloorPlan, PersonPlace, rectangle
@@ -50,12 +50,27 @@ class Change:
         Where it is moved to: its middle in plan [m].
     heading : float, optional
         What it faces there [rad].
+
+    Raises
+    ------
+    InputError
+        Something of another kind.
     """
 
     what: str
     measure: Measure | None = None
     at: tuple[float, float] | None = None
     heading: float | None = None
+
+    def __post_init__(self) -> None:
+        instance_of("what", self.what, str)
+        if self.measure is not None:
+            instance_of("measure", self.measure, Measure)
+        if self.at is not None:
+            for number in numbers("at", self.at, "at", 2).tolist():
+                finite("at", number, "at")
+        if self.heading is not None:
+            finite("heading", self.heading, "heading")
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,7 +2,7 @@
 
 A device that fails has borne no more than its strength, and tells nothing of what it would have had to bear.
 So runs in which one reaches its strength are repeated with devices in their unbreakable form, of the same
-stiffness, under the same motions and draws. The others would be the same.
+stiffness, under the same motions and draws. The others would be the same, but for rounding near the strength.
 """
 
 from __future__ import annotations
