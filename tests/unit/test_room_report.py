@@ -295,7 +295,7 @@ def test_changes_that_share_a_rank_are_told_as_ties(language):
     belts = replace(belts, people=moved.people, probabilities=belts.probabilities | {"device_failed": failed})
     moved = replace(moved, probabilities=moved.probabilities | {"device_failed": NEVER}, rank=1)
     tied = replace(verdict, options=(belts, moved, verdict.without))
-    told = {"en": "Others help about as much (1).", "ja": "同じくらい効果のある変更がほかに1件"}[language]
+    told = {"en": "Others may help as much (1).", "ja": "ほかに1件が同じくらい効く可能性"}[language]
     assert told in best_sentence(tied, language)
     assert told not in best_sentence(verdict, language)
     (section,) = (one for one in sections(tied, tied.others, language) if one.key == "changes")

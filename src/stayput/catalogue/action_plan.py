@@ -10,6 +10,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     "shaking_of_one": ("under {motion}, of JMA intensity {strength}", "{motion}（{strength}の揺れ）"),
     "then": ("Chances after all {last} steps: {chances}.", "1～{last}をすべて行うと、{chances}です。"),
     "then_one": ("Chances after step 1: {chances}.", "1を行うと、{chances}です。"),
+    "meets": (("Then {first} and {second} strike each other in {fell} of {runs} runs; what they do to each "
+               "other is not followed."),
+              "その場合、計算{runs}回中{fell}回、{first}と{second}がぶつかります。互いに及ぼす影響は計算していません。"),
     "chance": ("{share} that {what}", "{what}確率は{share}"),
     "falls": ("Chance of overturning: {pieces}.", "倒れる確率：{pieces}。"),
     "piece_falls": ("{piece} {was}", "「{piece}」{was}"),

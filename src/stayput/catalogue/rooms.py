@@ -86,8 +86,8 @@ TEXTS: dict[str, tuple[str, str]] = {
                 "{often}{place}にいる人が外に出られなくなります{interval}"),
     # What helps
     "best": ("Best single change: {change}.", "最も効果のある変更：{change}。"),
-    "among_best": ("One of the best single changes: {change}. Others help about as much ({count}).",
-                   "最も効果のある変更の1つ：{change}。同じくらい効果のある変更がほかに{count}件あります。"),
+    "among_best": ("One of the best single changes: {change}. Others may help as much ({count}).",
+                   "最も効果のある変更の1つ：{change}。ほかに{count}件が同じくらい効く可能性があります。"),
     "no_best": ("None of the single changes that were tried makes it clearly better.",
                 "試した変更のうち、明らかに良くなるものはありませんでした。"),
     "as_it_is": ("the room as it is", "今の部屋"),

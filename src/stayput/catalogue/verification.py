@@ -153,6 +153,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "meets": (("In {fell} of {runs} runs {first} and {second} strike each other. What they do to each other "
                "then is not followed."),
               "計算{runs}回中{fell}回、{first}と{second}がぶつかります。その後、互いに及ぼす影響は計算していません。"),
+    "meets_with": (("{option}: then {first} and {second} strike each other in {fell} of {runs} runs. What "
+                    "they do to each other is not followed."),
+                   ("{option}：この場合、計算{runs}回中{fell}回、{first}と{second}がぶつかります。"
+                    "互いに及ぼす影響は計算していません。")),
     "alike": (("{pieces} are of one kind: they are computed as one, and those that face the same way fall "
                "together. Real ones differ, so that the chance that any of them falls lies between {least} "
                "and {most} %."),

@@ -42,6 +42,7 @@ from stayput.simulation.placing import placed
 from stayput.simulation.space_fate import MAY_FALL_FROM
 from stayput.verification.changes import Change, measures_for, refuse_unheld, with_changes
 from stayput.verification.compare import option_verdict
+from stayput.verification.meetings import with_meetings
 from stayput.verification.option_runner import OptionRunner
 from stayput.verification.options import TRIED, compared_options, inputs_of_piece
 from stayput.verification.people import hits_in
@@ -133,10 +134,12 @@ def action_plan(
         runner = OptionRunner(scenario, asked.slide_limit, threads, advance=count)
         planner = _Planner(runner, home, decisions_of(scenario, decided))
         steps, unsolved = planner.steps()
+        if steps:
+            steps = *steps[:-1], replace(steps[-1], together=with_meetings(runner, steps[-1].together))
     now = replace(
         asked,
         scenario=scenario,
-        options=(replace(planner.as_it_is, rank=1),),
+        options=(replace(with_meetings(runner, planner.as_it_is), rank=1),),
         runs=made.done,
         seconds=time.perf_counter() - began,
         complete=True,

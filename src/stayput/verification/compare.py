@@ -27,7 +27,7 @@ from stayput.simulation.placing import JOINT
 from stayput.verification.contents import ContentsVerdict, contents_verdicts
 from stayput.verification.demand import with_demand
 from stayput.verification.events import zones_of
-from stayput.verification.meetings import meetings_of
+from stayput.verification.meetings import with_meetings
 from stayput.verification.notes import Estimates
 from stayput.verification.option_runner import OptionRunner
 from stayput.verification.options import compared_options
@@ -127,8 +127,12 @@ def compare(
                 for level in range(len(asked))
             ]
         verdict = so_far(**more)
-        best, *others = verdict.options
         alone = scenario.alone
+        looked_at = () if alone else (verdict.without, verdict.helping)
+        best, *others = (
+            with_meetings(runner, option) if any(option is each for each in looked_at) else option
+            for option in verdict.options
+        )
         verdict = replace(
             verdict,
             # the first answer does not wait for response spectra of all motions: they take as long as runs
@@ -136,7 +140,6 @@ def compare(
             options=(with_demand(runner, best), *others),
             runs=count.done,
             kinds=(0,) if alone else runner.scene_runner.library.draws.kinds,
-            meetings=meetings_of(runner, options[0], race.runs[0]),
         )
     return replace(verdict, complete=True)
 

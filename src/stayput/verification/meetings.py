@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import combinations
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     from stayput.montecarlo.runs import Runs
     from stayput.scenario.measures import Option
     from stayput.verification.option_runner import OptionRunner
-    from stayput.verification.verdict import Verdict
+    from stayput.verification.verdict import OptionVerdict, Verdict
 
 
 class Meeting(NamedTuple):
@@ -64,8 +65,21 @@ def meetings_of(runner: OptionRunner, option: Option, runs: Runs) -> tuple[Meeti
     return tuple(sorted(meetings, key=lambda meeting: -meeting.chance.estimate))
 
 
+def with_meetings(runner: OptionRunner, verdict: OptionVerdict) -> OptionVerdict:
+    """Return the verdict on an option with the pieces that come together in its runs."""
+    members = runner.members.chosen(slice(verdict.runs))
+    (runs,) = runner.run([verdict.option], members, keep=True)
+    return replace(verdict, meetings=meetings_of(runner, verdict.option, runs))
+
+
 LISTED = 3
 """Most meetings that a note names."""
+
+
+def more_meetings(after: OptionVerdict, before: OptionVerdict) -> list[Meeting]:
+    """Return the likeliest meetings that an option brings about, or makes likelier."""
+    known = {meeting[:2]: meeting.chance.estimate for meeting in before.meetings}
+    return [each for each in after.meetings if each.chance.estimate > known.get(each[:2], 0.0)][:LISTED]
 
 
 def notes_of_rooms(verdict: Verdict) -> Iterator[Phrase]:
@@ -74,9 +88,16 @@ def notes_of_rooms(verdict: Verdict) -> Iterator[Phrase]:
     def called(name: str) -> Phrase:
         return name_within(name, PIECES_OF_RUNS)
 
-    for first, second, chance in verdict.meetings[:LISTED]:
-        counts = {"fell": chance.fell, "runs": chance.runs}
-        yield phrase("verification.meets", first=called(first), second=called(second), **counts)
+    def counts(meeting: Meeting) -> dict[str, Any]:
+        names = {"first": called(meeting.first), "second": called(meeting.second)}
+        return {**names, "fell": meeting.chance.fell, "runs": meeting.chance.runs}
+
+    for meeting in verdict.without.meetings[:LISTED]:
+        yield phrase("verification.meets", **counts(meeting))
+    if (best := verdict.helping) is not None:
+        label = verdict.label(best, "en"), verdict.label(best, "ja")
+        for meeting in more_meetings(best, verdict.without):
+            yield phrase("verification.meets_with", option=label, **counts(meeting))
     alike = Counter(verdict.kinds)
     for kind, count in alike.items():
         if count > 1:

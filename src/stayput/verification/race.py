@@ -168,9 +168,14 @@ class Race:
             may_win = not self._beaten(number, best) and (place < LEADERS or not self._in_room)
             targets[number] = enough * (RUNNER_UP if may_win else BEATEN)
         targets |= dict.fromkeys(self._contenders(order), enough * CONTENDER)
+        unknown = [number for number in targets if not self._half_width(number) <= targets[number]]
         if precision is None and self._seems_to_help(order):
-            targets |= dict.fromkeys((0, best), enough * UNSURE)
-        return [number for number in sorted(targets) if not self._half_width(number) <= targets[number]]
+            counts = {number: len(self.runs[number].members) for number in (0, best)}
+            # whether it does is told by pairs: of what has fewer runs those that make up pairs come first
+            behind = {number for number in counts if counts[number] < max(counts.values())}
+            wide = [number for number in counts if not self._half_width(number) <= enough * UNSURE]
+            unknown += behind or wide
+        return sorted({*unknown})
 
     def _half_width(self, number: int) -> float:
         runs = self.runs[number]

@@ -172,6 +172,9 @@ class OptionVerdict:
         What comes out of the furniture, where the scenario says what is in it.
     people : People, optional
         What happens to people, in a room with a plan.
+    meetings : tuple of Meeting
+        Pieces that run by themselves and come together, the likeliest first; of what is without anything and
+        of the best that helps.
     """
 
     option: Option
@@ -190,6 +193,7 @@ class OptionVerdict:
     installed: AsInstalled | None = None
     contents: ContentsVerdict | None = None
     people: People | None = None
+    meetings: tuple[Meeting, ...] = ()
     slid: Difference | None = None
 
     @property
@@ -286,8 +290,6 @@ class Verdict(InJson):
         The upper floors that the motions were stated for; "" where they are of the ground.
     kinds : tuple of int
         Of each piece the number of its kind: pieces of one body share their runs.
-    meetings : tuple of Meeting
-        Pieces that run by themselves and come together, as the scene is stated.
 
     Examples
     --------
@@ -322,7 +324,6 @@ class Verdict(InJson):
     complete: bool = True
     floor: str = ""
     kinds: tuple[int, ...] = ()
-    meetings: tuple[Meeting, ...] = ()
 
     def __repr__(self) -> str:
         ranked = ", ".join(

@@ -22,6 +22,7 @@ from stayput.rooms.purchases import MARGIN, QUANTILE
 from stayput.rooms.steps import COST_BOUNDS, ActionPlan, Fix, PlanStep
 from stayput.uncertainty import USUAL, Lognormal
 from stayput.verification.demand import DEMAND_RUNS
+from stayput.verification.meetings import more_meetings
 from stayput.verification.room_words import motion_phrase, people_in, piece_name, piece_within
 from stayput.verification.words import shaking_phrase
 from stayput.wording import joined
@@ -84,6 +85,10 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
         key = "action_plan.then_one" if len(plan.steps) == 1 else "action_plan.then"
         then = joined(_chance(key, chance) for key, (chance, _) in chances.items())
         yield phrase(key, last=len(plan.steps), chances=then)
+    if together is not None:
+        for first, second, chance in more_meetings(together, verdict.without):
+            names = {"first": piece_within(first), "second": piece_within(second)}
+            yield phrase("action_plan.meets", fell=chance.fell, runs=chance.runs, **names)
     harmless = falling is None and not any(was.estimate for _, was in chances.values())
     if harmless and together is None and not plan.unsolved and not plan.not_enough:
         yield phrase("action_plan.nothing")

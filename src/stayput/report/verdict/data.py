@@ -245,9 +245,6 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
             }
             for item in verdict.impossible
         ],
-        "meetings": [
-            {"pieces": [first, second], **_probability(chance)} for first, second, chance in verdict.meetings
-        ],
         "estimates": None if verdict.estimates is None else _estimates(verdict.estimates),
         "everyday": everyday_data(verdict.scenario) if verdict.scenario.alone else None,
         "assumptions": [
@@ -339,6 +336,9 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
         "peak_tilt_rad": quantiles_data(result.tilt),
         "pieces": [_piece(piece, body in scenario.counted) for body, piece in enumerate(result.pieces)],
         "people": None if result.people is None else people_data(result.people),
+        "meetings": [
+            {"pieces": [first, second], **_probability(chance)} for first, second, chance in result.meetings
+        ],
         "helps": result.helps,
         "better": list(result.better),
         "worse": list(result.worse),
