@@ -249,9 +249,11 @@ class FragilityCurve(InJson):
 
     @cached_property
     def lognormal(self) -> LognormalParameters | None:
-        """The lognormal curve nearest to the fit, for loss tools; none where its median is not known."""
-        median = self.capacity().estimate
-        return None if math.isnan(median) else LognormalParameters(median, PROBIT / self.fit.slope)
+        """The lognormal curve nearest to the fit, for loss tools; none where its median was not run."""
+        median, im = self.capacity().estimate, self.trials.im
+        if not im.min() <= median <= im.max():  # nor where it is not known
+            return None
+        return LognormalParameters(median, PROBIT / self.fit.slope)
 
     @property
     def lognormal_texts(self) -> Phrase:

@@ -221,19 +221,19 @@ def left_out_of_held(verdict: Verdict) -> Phrase | None:
 def _field(verdict: Verdict) -> Iterator[Phrase]:
     """Yield where the piece lies against the field's formulas, where half of it fall at some level."""
     curves = verdict.without.curves
-    median = curves[PFV].capacity(0.5).estimate if curves else math.nan
-    if not math.isfinite(median):
+    lognormal = curves[PFV].lognormal if curves else None
+    if lognormal is None:
         return
     body = verdict.scenario.piece.body()
     formula = estimates.kaneko_hayashi_velocity(body)
     low = estimates.LOSS_MODEL_RATIO * formula
     yield phrase(
         "verification.field",
-        median=100.0 * median,
+        median=100.0 * lognormal.median,
         low=100.0 * low,
         high=100.0 * formula,
-        least=median / formula,
-        most=median / low,
+        least=lognormal.median / formula,
+        most=lognormal.median / low,
         wall=phrase("verification.field_wall") if verdict.scenario.room.room().left_wall else "",
     )
 
