@@ -322,7 +322,7 @@ def option_verdict(
             for n, (name, outcomes) in enumerate(zip(scenario.names, of_kinds, strict=True))
         ),
         devices=tuple(
-            device_summary(pieces, element, number, stated) for number, (pieces, element) in enumerate(held)
+            device_summary(pieces, element, number, runs) for number, (pieces, element) in enumerate(held)
         ),
         curves={},
         capacities={},
@@ -351,6 +351,8 @@ def device_summary(
     runs : Runs
         The runs.
     """
+    chance = runs.probability(runs.devices["failure"][:, number] != HOLDS)
+    runs = runs.stated
     device, missing = runs.devices[:, number], runs.missing
     nowhere = np.zeros_like(missing)
     along = np.maximum(device["peak_pull"], device["peak_push"])
@@ -360,7 +362,7 @@ def device_summary(
     return DeviceSummary(
         kind=kind,
         name=kind if element is None else f"{kind} {element.place}".strip(),
-        failed=runs.probability(failed),
+        failed=chance,
         failure_time=float(np.median(times)) if times.size else np.nan,
         peak=Quantiles.of(runs.masses * np.hypot(along, device["peak_shear"]), nowhere),
         used=Quantiles.of(runs.used[:, number], nowhere),
