@@ -11,6 +11,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from stayput.montecarlo.counting import Quantiles
 from stayput.montecarlo.runs import Runs
@@ -61,7 +62,7 @@ def demand_runs(runner: OptionRunner, option: Option, strong: Option, count: int
     """
     members = runner.members.chosen(runner.members.level == 0).chosen(slice(count))
     (runs,) = runner.run([option], members)
-    broken = (runs.used >= 1.0).any(axis=1)
+    broken: NDArray[np.bool_] = np.any(runs.used >= 1.0, axis=1)
     if not broken.any():
         return runs
     (repeated,) = runner.run([strong], members.chosen(broken))
