@@ -80,7 +80,7 @@ def _cells(u: NDArray[np.float64], runs: NDArray[np.float64]) -> tuple[NDArray[n
     return np.bincount(of_cell, u * runs) / np.bincount(of_cell, runs), of_cell
 
 
-def staggered(
+def _staggered(
     first: NDArray[np.float64], second: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return the points of a grid of even axes, each row and column shifted by another part of a step.
@@ -178,12 +178,12 @@ class LogitFit:
         ends = [(-_LARGEST_LOGIT, _LARGEST_LOGIT), (usual - 4.0 * scatter, usual + 4.0 * scatter)]
         for _ in range(2):
             axes = [np.linspace(*end, points) for end, points in zip(ends, _FINDING, strict=True)]
-            weight = weights(*staggered(*axes))
+            weight = weights(*_staggered(*axes))
             for axis, others in enumerate(((0, 2), (0, 1))):
                 some = np.flatnonzero(weight.max(axis=others) > _NO_WEIGHT)
                 first, last = max(int(some[0]) - 1, 0), min(int(some[-1]) + 1, len(axes[axis]) - 1)
                 ends[axis] = float(axes[axis][first]), float(axes[axis][last])
-        a, log_b = staggered(*(np.linspace(*end, points) for end, points in zip(ends, _POINTS, strict=True)))
+        a, log_b = _staggered(*(np.linspace(*end, points) for end, points in zip(ends, _POINTS, strict=True)))
         weight = weights(a, log_b)
         chosen = weight > _NO_WEIGHT
         points = np.broadcast_arrays(a, np.exp(log_b), gamma, delta)

@@ -160,8 +160,8 @@ def _drawn_room(scene: Scene, draw: Draw) -> Room:
     room = scene.around
     drawn, walls = drawn_surfaces(drawn_place(room, draw), draw), dict[str, Wall | None]()
     for name in WALLS_AROUND:
-        wall, stated = getattr(drawn, name), getattr(room, name)
-        if wall is not None and stated.gap <= REACH:
+        wall, original = getattr(drawn, name), getattr(room, name)
+        if wall is not None and original.gap <= REACH:
             most = _most_gap(tuple(scene.pieces), room, name)
             walls[name] = replace(wall, gap=min(wall.gap, most))
     return replace(drawn, **walls)  # pyright: ignore[reportArgumentType]

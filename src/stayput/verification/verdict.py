@@ -173,8 +173,7 @@ class OptionVerdict:
     people : People, optional
         What happens to people, in a room with a plan.
     meetings : tuple of Meeting
-        Pieces that run by themselves and come together, the likeliest first; of what is without anything and
-        of the best that helps.
+        Pieces that run apart and come together: without anything, and with the best that helps.
     """
 
     option: Option
