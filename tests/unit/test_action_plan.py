@@ -210,6 +210,16 @@ def test_strengths_are_told_of_the_runs_that_they_are_from(plan: sp.ActionPlan):
         assert f"in 95 % of {runs} runs" in page
 
 
+def test_the_room_as_it_is_has_the_numbers_of_its_verdict():
+    """A race ran nothing 36 times: the card told of 32 of these beside a report that told of all."""
+    verdict = sp.verify(alone(), changes=False, progress=False)
+    (without,) = verdict.options
+    asked = replace(verdict, options=(replace(without, runs=36),))
+    plan = sp.action_plan(asked, progress=False)
+    assert (plan.verdict.without.runs, plan.verdict.without.people) == (36, without.people)
+    assert "are from 8 to 36 runs" in html.unescape(plan_html(plan)).replace("\xa0", " ")
+
+
 def test_on_tatami_there_is_neither_gel_nor_a_wedge():
     scenario = room(furniture=ROOM["furniture"][:1])
     soft = planned(scenario, tatami=True, plasterboard=True)

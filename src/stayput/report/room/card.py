@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -279,15 +280,15 @@ def _notes(plan: ActionPlan) -> Iterator[Phrase]:
     ]
     yield phrase("action_plan.grades", meanings=joined(meanings))
     verdict = plan.verdict
-    runs = verdict.without.runs
     if any(step.fix is not None for step in plan.steps):
         scatter = USUAL["strength"]
         assert isinstance(scatter, Lognormal)
         values = {"share": 100.0 * QUANTILE, "margin": MARGIN, "cov": scatter.cov}
-        yield phrase("action_plan.strengths", runs=min(runs, DEMAND_RUNS), **values)
+        yield phrase("action_plan.strengths", runs=min(verdict.without.runs, DEMAND_RUNS), **values)
         (low, low_euro), (high, high_euro) = COST_BOUNDS
         yield phrase("action_plan.costs", low=low, low_euro=low_euro, high=high, high_euro=high_euro)
     motions = motion_phrase(verdict) or phrase("action_plan.same_motions", count=verdict.motions)
     made = {"motions": motions, "seed": verdict.seed, "version": stayput.__version__}
-    yield phrase("action_plan.runs", runs=runs, **made)
+    of_steps = replace(verdict, options=(verdict.without, *(step.together for step in plan.steps)))
+    yield phrase("action_plan.runs", runs=of_steps.runs_each, **made)
     yield phrase("action_plan.limits")
