@@ -23,12 +23,13 @@ from stayput.montecarlo.counting import (
 from stayput.montecarlo.runs import Runs
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws, rows_of
 from stayput.montecarlo.scaled_motions import ScaledMotions
+from stayput.motion.suites import synthesis
 from stayput.scenario import Scenario
 from stayput.verification import verify
 from stayput.verification.option_runner import drawn_run
 from stayput.verification.options import compared_options
 from stayput.verification.people import typical_of
-from stayput.verification.race import STEP
+from stayput.verification.race import FIRST_LOOK, STEP
 
 ROOM = {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
 FEW = np.array([5.0, 5.75, 6.5])
@@ -139,6 +140,25 @@ def test_the_ranking_is_told_as_it_gets_better_and_its_bits_do_not_depend_on_tha
             shares = (each.probability(FEW[1:]) for each in (curve, other.curves[measure]))
             assert np.array_equal(*shares, equal_nan=True)
     assert (plain.runs, plain.precise) == (heard.runs, heard.precise)
+
+
+@pytest.mark.parametrize("above", [{}, {"building": {"storeys": 8, "structure": "RC"}, "storey": 6}])
+def test_the_first_answer_waits_for_no_motions_but_its_own(above):
+    shaking = {"intensity": "6-lower", "suite": {"family": "near-fault", "count": 12, "seed": 5}, **above}
+    glides = [{"type": "felt_glides"}]
+    asked = scenario(shaking=shaking, measures=glides, uncertainty={"precision": 0.45})
+    synthesis._CACHE.clear()
+    told, made = [], []
+
+    def note(verdict):
+        told.append(verdict)
+        made.append(len(synthesis._CACHE))
+
+    heard, plain = sp.verify(asked, progress=False, on_verdict=note), sp.verify(asked, progress=False)
+    assert (made[0], told[0].motions, told[0].runs) == (FIRST_LOOK, 12, 2 * FIRST_LOOK)
+    assert told[0].intensity == pytest.approx(heard.intensity, rel=1e-12)
+    heard, plain = (replace(one, seconds=0.0).to_json() for one in (heard, plain))
+    assert heard == plain
 
 
 def test_an_option_does_not_depend_on_what_stands_beside_it(verdict):

@@ -241,6 +241,10 @@ class Library:
         library._runs = {}
         return library
 
+    def add(self, other: Library) -> None:
+        """Take over the runs of another with the same draws, whose motions are the first of these."""
+        self._runs |= other._runs
+
     def clear(self) -> None:
         """Forget all runs."""
         self._runs.clear()

@@ -164,8 +164,14 @@ class Scenario(SceneTables):
     def ground_components(self) -> frozenset[str]:
         """Components that any of the motions of the ground has: of "x", "y", "z"."""
         with self.naming_file("shaking"):
-            motions = self.shaking.ground(self._folder)
+            motions = self.shaking.ground(self._folder, first=1)  # all synthetic ones have the same
         return frozenset(name for motion in motions for name in motion.components)
+
+    @property
+    def motion_count(self) -> int:
+        """How many motions there are."""
+        synthetic = self.shaking.synthetic_suite
+        return len(self.ground()) if synthetic is None else synthetic.count
 
     @property
     def has_two_components(self) -> bool:
@@ -303,10 +309,11 @@ class Scenario(SceneTables):
         with self.naming_file("shaking"):
             return self.shaking.motion(self._folder).pointing((self.direction or 0.0) - self.facing)
 
-    def ground(self) -> Suite:
+    def ground(self, first: int | None = None) -> Suite:
         """Make the motions of the ground, not scaled, with all components.
 
-        In the plane they are along the axes of the piece; in space they are turned as they are drawn.
+        In the plane they are along the axes of the piece; in space they are turned as they are drawn. Where
+        the ``first`` so many are asked for, of a synthetic suite only these are made.
 
         Raises
         ------
@@ -314,7 +321,7 @@ class Scenario(SceneTables):
             A record cannot be read.
         """
         with self.naming_file("shaking"):
-            ground = self.shaking.ground(self._folder)
+            ground = self.shaking.ground(self._folder, first)
         if self.dimensions == 3:
             return ground
         turned = (self.direction or 0.0) - self.facing

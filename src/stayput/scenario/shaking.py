@@ -240,11 +240,25 @@ class ShakingTable(PythonTable):
         floor = self._on_floor(Suite(tuple(map(self._scaled, suite)), suite.name))
         return Suite(tuple(map(self._with_vertical, floor)), floor.name)
 
-    def ground(self, folder: Path) -> Suite:
+    @property
+    def synthetic_suite(self) -> SuiteTable | None:
+        """The suite of synthetic motions; None where the motions are given, or there is one."""
+        if self._in_python is not None or isinstance(self.suite, str) or not self.of_a_suite:
+            return None
+        return self.suite or SuiteTable()
+
+    def ground(self, folder: Path, first: int | None = None) -> Suite:
         """Make the motions of the ground with all their components, not scaled.
 
         Where a peak or a spectral acceleration is stated, each has one of 1 m/s² or 1 m/s: a piece that faces
         another way has other components, of which neither may be the larger one as stated.
+
+        Parameters
+        ----------
+        folder : Path
+            Where records are.
+        first : int, optional
+            Of a synthetic suite only so many motions, which are the first ones of the whole suite.
 
         Raises
         ------
@@ -252,7 +266,7 @@ class ShakingTable(PythonTable):
             A record cannot be read, or is of an upper floor where the strength of the ground is stated, or
             others are of the ground.
         """
-        suite, strength = self._given(folder), self.strength
+        suite, strength = self._given(folder, first), self.strength
         if strength is not None or not all(motion.floor for motion in suite):
             for motion in suite:
                 of_the_ground(motion, "suite" if strength is None else "strength")
@@ -279,8 +293,8 @@ class ShakingTable(PythonTable):
         makers = {"pga": strength_of_pga, "pgv": strength_of_pgv, "mmi": strength_of_mercalli}
         return makers[self.stated](getattr(self, self.stated)) if self.stated else None
 
-    def _given(self, folder: Path) -> Suite:
-        return self._suite(folder) if self.of_a_suite else Suite((self._single(folder),))
+    def _given(self, folder: Path, first: int | None = None) -> Suite:
+        return self._suite(folder, first) if self.of_a_suite else Suite((self._single(folder),))
 
     def _single(self, folder: Path) -> Motion:
         if self._in_python is not None:
@@ -304,14 +318,16 @@ class ShakingTable(PythonTable):
     def _with_vertical(self, motion: Motion) -> Motion:
         return motion if self.vertical else replace(motion, z=None)
 
-    def _suite(self, folder: Path) -> Suite:
-        if self._in_python is not None:
-            suite = self._in_python
-        elif isinstance(self.suite, str):
-            suite = read_suite(folder / self.suite, self.component, self.unit, **self._reading)
+    def _suite(self, folder: Path, first: int | None) -> Suite:
+        if (table := self.synthetic_suite) is not None:
+            count = table.count
+            suite = synthetic_suite(table.family, min(first or count, count), table.seed)
         else:
-            suite = synthetic_suite(**(self.suite or SuiteTable()).model_dump())
-        within("shaking.member", self.member or 1, 1, len(suite), "", "shaking.member")
+            suite = self._in_python
+            if suite is None:
+                suite = read_suite(folder / str(self.suite), self.component, self.unit, **self._reading)
+            count = len(suite)
+        within("shaking.member", self.member or 1, 1, count, "", "shaking.member")
         return suite
 
     @property

@@ -32,7 +32,7 @@ from stayput.verification.notes import Estimates
 from stayput.verification.option_runner import OptionRunner
 from stayput.verification.options import compared_options
 from stayput.verification.people import hardest, harm_of, people_of, typical_of
-from stayput.verification.race import Race, paired
+from stayput.verification.race import FIRST_LOOK, Race, paired
 from stayput.verification.ranking import in_order, ranks_of
 from stayput.verification.search import tried_options
 from stayput.verification.verdict import AsInstalled, DeviceSummary, OptionVerdict, PieceVerdict, Verdict
@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     from stayput.fragility.paired import Difference
     from stayput.measures import Element
     from stayput.montecarlo.runs import Runs
+    from stayput.motion.suites.suite import Suite
     from stayput.scenario import Scenario
     from stayput.scenario.measures import Option
 
@@ -68,26 +69,24 @@ def compare(
     search = changes and scenario.plan is not None and not scenario.options
     drawn = levels is None and (scenario.alone or bool(further))
     faulty = _badly_installed(options, scenario)
-    scaled_motions = ScaledMotions.of(scenario, tuple(further))
-    settings = Settings.of(scenario, len(scaled_motions.ground), limit)
+    settings = Settings.of(scenario, scenario.motion_count, limit)
     most = settings.runs * (len(options) * (1 + len(asked)) + len(faulty))
     with tally(most, "progress.verifying", progress, on_progress) as count:
-        runner = OptionRunner(
-            scenario,
-            limit,
-            threads,
-            scaled_motions=scaled_motions,
-            beside=drawn,
-            levels=asked.tolist(),
-            advance=count,
-        )
-        floors, race = runner.floors, Race(runner, options)
+
+        def runner_under(ground: Suite | None) -> OptionRunner:
+            motions = ScaledMotions.of(scenario, tuple(further), ground)
+            how = {"beside": drawn, "levels": asked.tolist(), "advance": count}
+            return OptionRunner(scenario, limit, threads, scaled_motions=motions, **how)
+
+        only_first = on_verdict is not None and not settings.all_runs
+        runner = runner_under(_first_motions(scenario) if only_first else None)
+        race = Race(runner, options)
         known: KnownVerdicts = {}
 
         def so_far(**more: Any) -> Verdict:
             return Verdict(
                 scenario=scenario,
-                intensity=floors.median_intensity,
+                intensity=runner.floors.median_intensity,
                 slide_limit=limit,
                 options=verdicts_of(runner, race.options, race.runs, known, **more),
                 motions=settings.motions,
@@ -98,13 +97,18 @@ def compare(
                 precise=race.precise or settings.precision is None,
                 impossible=impossible,
                 complete=False,
-                floor=floors.floor,
+                floor=runner.floors.floor,
             )
 
         def run() -> None:
+            nonlocal runner
             for _ in race.looks():
                 if on_verdict is not None:
                     on_verdict(so_far())
+                if runner.settings.motions < settings.motions:
+                    made = runner.scene_runner.library
+                    race.runner = runner = runner_under(None)
+                    runner.scene_runner.library.add(made)
 
         run()
         if search:
@@ -136,12 +140,25 @@ def compare(
         verdict = replace(
             verdict,
             # the first answer does not wait for response spectra of all motions: they take as long as runs
-            estimates=Estimates.of(scenario.piece.body(), floors, scenario, threads) if alone else None,
+            estimates=Estimates.of(scenario.piece.body(), runner.floors, scenario, threads) if alone else None,
             options=(with_demand(runner, best), *others),
             runs=count.done,
             kinds=(0,) if alone else runner.scene_runner.library.draws.kinds,
         )
     return replace(verdict, complete=True)
+
+
+def _first_motions(scenario: Scenario) -> Suite | None:
+    """Return the motions of the first look, where its answer does not wait for the others; else None.
+
+    The intensity that is told is the median of all motions, and known before where each has the stated one.
+    """
+    strength = scenario.shaking.strength
+    alike = strength is not None and strength.measure == "JMA" and strength.scatter == 0.0
+    synthetic = scenario.shaking.synthetic_suite
+    if not alike or synthetic is None or synthetic.count <= FIRST_LOOK or scenario.dimensions == 2:
+        return None
+    return scenario.ground(FIRST_LOOK)
 
 
 def _levels(levels: ArrayLike | None) -> NDArray[np.float64]:

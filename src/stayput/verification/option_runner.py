@@ -170,7 +170,8 @@ class OptionRunner:
         self.members = Members.in_turn(self.settings.motions, self.settings.runs, beside=beside)
         self.detector = RoomEventDetector()
         self._scenes: dict[int, tuple[Option, Scene]] = {}
-        library = (Library if scenario.plan is None else _kept_library)(scenario, self.all_floors)
+        room = scenario.plan is not None and self.settings.motions == scenario.motion_count
+        library = (_kept_library if room else Library)(scenario, self.all_floors)
         self.scene_runner = SceneRunner(
             scenario, library, threads=threads, advance=advance, detect=self.detector
         )

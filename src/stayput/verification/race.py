@@ -62,6 +62,8 @@ class Race:
 
     Attributes
     ----------
+    runner : OptionRunner
+        The same; after a look another may take its place that has these motions first, and more.
     runs : list of Runs
         Those of each option, in the order of the members of the runner.
     precise : bool
@@ -92,7 +94,7 @@ class Race:
             count *= GROWTH
 
     def _race(self) -> Iterator[None]:
-        most, everyone = len(self.runner.members), range(len(self.options))
+        everyone = range(len(self.options))
         for count in (STEP,) if self.runs else (FIRST_LOOK, STEP):
             self._run_to(dict.fromkeys(everyone, count))
             yield
@@ -101,7 +103,7 @@ class Race:
         step = STEP_IN_ROOM if self._in_room else STEP
         while unknown := self._unknown():
             done = {number: len(self.runs[number].members) for number in unknown}
-            going = {number: count + step for number, count in done.items() if count < most}
+            going = {number: count + step for number, count in done.items() if count < len(self.runner.members)}
             if not going:
                 break
             if not self.runner.scenario.alone:
