@@ -142,6 +142,13 @@ def test_the_ranking_is_told_as_it_gets_better_and_its_bits_do_not_depend_on_tha
     assert (plain.runs, plain.precise) == (heard.runs, heard.precise)
 
 
+def test_motions_given_in_python_are_counted_anew():
+    asked = scenario()
+    assert (asked.motion_count, len(asked.ground()), len(asked.ground(2))) == (5, 5, 2)
+    given = asked.with_python(motions=sp.synthetic_suite("crustal", 3))
+    assert (given.motion_count, len(given.ground()), len(given.ground(2))) == (3, 3, 3)
+
+
 @pytest.mark.parametrize("above", [{}, {"building": {"storeys": 8, "structure": "RC"}, "storey": 6}])
 def test_the_first_answer_waits_for_no_motions_but_its_own(above):
     shaking = {"intensity": "6-lower", "suite": {"family": "near-fault", "count": 12, "seed": 5}, **above}
