@@ -131,7 +131,7 @@ def compare(
                 for level in range(len(asked))
             ]
         verdict = so_far(**more)
-        alone = scenario.alone
+        alone, body = scenario.alone, scenario.piece.body() if scenario.alone else None
         looked_at = () if alone else (verdict.without, verdict.helping)
         best, *others = (
             with_meetings(runner, option) if any(option is each for each in looked_at) else option
@@ -140,7 +140,7 @@ def compare(
         verdict = replace(
             verdict,
             # the first answer does not wait for response spectra of all motions: they take as long as runs
-            estimates=Estimates.of(scenario.piece.body(), runner.floors, scenario, threads) if alone else None,
+            estimates=None if body is None else Estimates.of(body, runner.floors, scenario, threads),
             options=(with_demand(runner, best), *others),
             runs=count.done,
             kinds=(0,) if alone else runner.scene_runner.library.draws.kinds,

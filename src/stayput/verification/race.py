@@ -103,7 +103,8 @@ class Race:
         step = STEP_IN_ROOM if self._in_room else STEP
         while unknown := self._unknown():
             done = {number: len(self.runs[number].members) for number in unknown}
-            going = {number: count + step for number, count in done.items() if count < len(self.runner.members)}
+            most = len(self.runner.members)
+            going = {number: count + step for number, count in done.items() if count < most}
             if not going:
                 break
             if not self.runner.scenario.alone:
