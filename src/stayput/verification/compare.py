@@ -75,8 +75,15 @@ def compare(
 
         def runner_under(ground: Suite | None) -> OptionRunner:
             motions = ScaledMotions.of(scenario, tuple(further), ground)
-            how = {"beside": drawn, "levels": asked.tolist(), "advance": count}
-            return OptionRunner(scenario, limit, threads, scaled_motions=motions, **how)
+            return OptionRunner(
+                scenario,
+                limit,
+                threads,
+                scaled_motions=motions,
+                beside=drawn,
+                levels=asked.tolist(),
+                advance=count,
+            )
 
         only_first = on_verdict is not None and not settings.all_runs
         runner = runner_under(_first_motions(scenario) if only_first else None)
