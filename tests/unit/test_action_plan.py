@@ -211,13 +211,22 @@ def test_strengths_are_told_of_the_runs_that_they_are_from(plan: sp.ActionPlan):
 
 
 def test_the_room_as_it_is_has_the_numbers_of_its_verdict():
-    """A race ran nothing 36 times: the card told of 32 of these beside a report that told of all."""
-    verdict = sp.verify(alone(), changes=False, progress=False)
-    (without,) = verdict.options
-    asked = replace(verdict, options=(replace(without, runs=36),))
-    plan = sp.action_plan(asked, progress=False)
-    assert (plan.verdict.without.runs, plan.verdict.without.people) == (36, without.people)
-    assert "are from 8 to 36 runs" in html.unescape(plan_html(plan)).replace("\xa0", " ")
+    """A race ran nothing 36 times: the card told of 32 of these beside a report that told of all.
+
+    On the page a plan is made for the room before what was tried in it, whose numbers are others.
+    """
+    bookcase = ROOM["furniture"][0]
+    held = {**bookcase, "measures": [{"type": "l_bracket", "count": 4}]}
+    before, after = (room(furniture=[it], uncertainty={"samples": 40}) for it in (bookcase, held))
+    verdict, tried = (sp.verify(each, changes=False, progress=False) for each in (before, after))
+    plan = sp.action_plan(verdict, progress=False)
+    made = sp.action_plan(replace(tried, scenario=before), progress=False)
+    was = verdict.without
+    for of in (plan, made):
+        now = of.verdict.without
+        assert (now.runs, now.probabilities, now.people) == (40, was.probabilities, was.people)
+    assert was.probabilities[OVERTURNED].estimate > tried.without.probabilities[OVERTURNED].estimate
+    assert "are from 32 to 40 runs" in html.unescape(plan_html(plan)).replace("\xa0", " ")
 
 
 def test_on_tatami_there_is_neither_gel_nor_a_wedge():

@@ -57,6 +57,9 @@ if TYPE_CHECKING:
 PLAN_RUNS = 32
 """Runs of what a plan tells: from so many a half-width of 16 points."""
 
+MOST_AS_IT_IS = 64
+"""Most runs of the room as it is, which has as many as in its verdict, so that both tell the same."""
+
 TRIAL_RUNS, CANDIDATES = 8, 2
 """Runs of all that is tried, and how many of the best of it are then run as often as what is told."""
 
@@ -132,17 +135,15 @@ def action_plan(
         scenario = home.of(asked.scenario)
         compared_options(scenario)  # refuses what cannot be put in place
         runner = OptionRunner(scenario, asked.slide_limit, threads, advance=count)
-        planner = _Planner(runner, home, decisions_of(scenario, decided))
+        as_it_is = min(max(PLAN_RUNS, asked.without.runs), MOST_AS_IT_IS)
+        planner = _Planner(runner, home, decisions_of(scenario, decided), as_it_is)
         steps, unsolved = planner.steps()
         if steps:
             steps = *steps[:-1], replace(steps[-1], together=with_meetings(runner, steps[-1].together))
-    as_it_is = replace(with_meetings(runner, planner.as_it_is), rank=1)
-    if scenario is asked.scenario and asked.without.runs > as_it_is.runs:
-        as_it_is = replace(asked.without, rank=1)  # the same numbers as in the verdict
     now = replace(
         asked,
         scenario=scenario,
-        options=(as_it_is,),
+        options=(replace(with_meetings(runner, planner.as_it_is), rank=1),),
         runs=made.done,
         seconds=time.perf_counter() - began,
         complete=True,
@@ -163,12 +164,14 @@ class _Planner:
         What the home is like.
     decisions : Decisions
         What is done in any case.
+    as_it_is : int
+        Runs of the room as it is.
     """
 
-    def __init__(self, runner: OptionRunner, home: Home, decisions: Decisions) -> None:
+    def __init__(self, runner: OptionRunner, home: Home, decisions: Decisions, as_it_is: int) -> None:
         self.runner, self.home, self.decisions = runner, home, decisions
         self.scenario, self.base = runner.scenario, runner.scenario.stated
-        self._members = runner.members.chosen(slice(PLAN_RUNS))
+        self._members = runner.members.chosen(slice(as_it_is))
         (self.runs,) = runner.run([self.base], self._members, keep=True)
         self.as_it_is = option_verdict(runner, self.base, self.runs, None)
         self.scene = runner.scene(self.base)

@@ -161,23 +161,11 @@ class Scenario(SceneTables):
         return 3 if needs_space(body, self.room.room(), across=across, held=held) else 2
 
     @cached_property
-    def _about_ground(self) -> tuple[frozenset[str], int]:
-        """Components and number of the motions of the ground: records are read once for both."""
-        with self.naming_file("shaking"):
-            motions = self.shaking.ground(self._folder, first=1)  # all synthetic ones have the same
-        synthetic = self.shaking.synthetic_suite
-        count = len(motions) if synthetic is None else synthetic.count
-        return frozenset(name for motion in motions for name in motion.components), count
-
-    @property
     def ground_components(self) -> frozenset[str]:
         """Components that any of the motions of the ground has: of "x", "y", "z"."""
-        return self._about_ground[0]
-
-    @property
-    def motion_count(self) -> int:
-        """How many motions there are."""
-        return self._about_ground[1]
+        with self.naming_file("shaking"):
+            motions = self.shaking.ground(self._folder, first=1)  # all synthetic ones have the same
+        return frozenset(name for motion in motions for name in motion.components)
 
     @property
     def has_two_components(self) -> bool:
@@ -260,7 +248,7 @@ class Scenario(SceneTables):
             tables = [table.with_python(fields) for table, fields in zip(self.pieces, pieces, strict=True)]
             changed["furniture"] = tables if isinstance(self.furniture, list) else tables[0]
         copy = self.model_copy(update=changed)
-        vars(copy).pop("_about_ground", None)  # which a copy takes along
+        vars(copy).pop("ground_components", None)  # which a copy takes along
         if measures is not None:
             copy._refuse_same_names(measures)
             copy._own_options = tuple(measures)

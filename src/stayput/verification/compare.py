@@ -29,7 +29,7 @@ from stayput.verification.demand import with_demand
 from stayput.verification.events import zones_of
 from stayput.verification.meetings import with_meetings
 from stayput.verification.notes import Estimates
-from stayput.verification.option_runner import OptionRunner
+from stayput.verification.option_runner import OptionRunner, has_library
 from stayput.verification.options import compared_options
 from stayput.verification.people import hardest, harm_of, people_of, typical_of
 from stayput.verification.race import FIRST_LOOK, Race, paired
@@ -69,7 +69,9 @@ def compare(
     search = changes and scenario.plan is not None and not scenario.options
     drawn = levels is None and (scenario.alone or bool(further))
     faulty = _badly_installed(options, scenario)
-    settings = Settings.of(scenario, scenario.motion_count, limit)
+    synthetic = scenario.shaking.synthetic_suite
+    recorded = scenario.ground() if synthetic is None else None
+    settings = Settings.of(scenario, len(recorded or ()) if synthetic is None else synthetic.count, limit)
     most = settings.runs * (len(options) * (1 + len(asked)) + len(faulty))
     with tally(most, "progress.verifying", progress, on_progress) as count:
 
@@ -85,8 +87,9 @@ def compare(
                 advance=count,
             )
 
-        only_first = on_verdict is not None and not settings.all_runs
-        runner = runner_under(_first_motions(scenario) if only_first else None)
+        early = on_verdict is not None and not settings.all_runs and not has_library(scenario)
+        few = _first_motions(scenario) if early else None
+        runner = runner_under(few or recorded)
         race = Race(runner, options)
         known: KnownVerdicts = {}
 
@@ -113,9 +116,9 @@ def compare(
                 if on_verdict is not None:
                     on_verdict(so_far())
                 if runner.settings.motions < settings.motions:
-                    made = runner.scene_runner.library
-                    race.runner = runner = runner_under(None)
-                    runner.scene_runner.library.add(made)
+                    first, runner = runner, runner_under(None)
+                    runner.go_on_from(first)
+                    race.runner = runner
 
         run()
         if search:

@@ -108,6 +108,11 @@ def _kept_library(scenario: Scenario, floors: FloorMotions) -> Library:
     return library
 
 
+def has_library(scenario: Scenario) -> bool:
+    """Return whether the runs of a room are kept."""
+    return any(of() is scenario for of, _ in _latest[:])
+
+
 class OptionRunner:
     """Runs the options of a verification under its motions and draws.
 
@@ -170,11 +175,15 @@ class OptionRunner:
         self.members = Members.in_turn(self.settings.motions, self.settings.runs, beside=beside)
         self.detector = RoomEventDetector()
         self._scenes: dict[int, tuple[Option, Scene]] = {}
-        room = scenario.plan is not None and self.settings.motions == scenario.motion_count
-        library = (_kept_library if room else Library)(scenario, self.all_floors)
+        library = (Library if scenario.plan is None else _kept_library)(scenario, self.all_floors)
         self.scene_runner = SceneRunner(
             scenario, library, threads=threads, advance=advance, detect=self.detector
         )
+
+    def go_on_from(self, first: OptionRunner) -> None:
+        """Take over the scenes and runs of another, whose motions are the first of these."""
+        self._scenes |= first._scenes
+        self.scene_runner.library.add(first.scene_runner.library)
 
     @property
     def in_plane(self) -> bool:
