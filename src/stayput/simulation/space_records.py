@@ -388,7 +388,7 @@ def scratch_of(world: tuple[Any, ...], devices: int) -> tuple[Any, ...]:
                 np.zeros((MOST_ROWS, 6)),
                 np.zeros((MOST_ROWS, 6)),
                 np.zeros((MOST_ROWS, MOST_ROWS)),
-                np.zeros((6, MOST_ROWS)),
+                np.zeros((8, MOST_ROWS)),
                 np.zeros(MOST_ROWS, np.int64),
             ),
             np.zeros((7, 13)),

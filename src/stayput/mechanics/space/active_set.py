@@ -23,9 +23,11 @@ from stayput.compiling import inline, inner
 from stayput.mechanics.space.body import angular_response, in_body, in_room, nudge, place_of, rotation
 from stayput.mechanics.space.columns import LINE
 from stayput.mechanics.space.constants import (
+    EXTRAPOLATED,
     LEAST_RELAXATION,
     MOST_INDEPENDENT,
     MOST_RELAXATION,
+    NEAR_PRESSURE,
     ON_MIXED_EDGE,
     PRESSURE_ROUNDS,
     PRESSURE_TOLERANCE,
@@ -38,9 +40,10 @@ from stayput.mechanics.space.contact import velocity_at
 from stayput.mechanics.space.touching import gap_of, lever_of_point
 from stayput.mechanics.space.vectors import added, cross, dot, normal_of, scaled, tangents
 
-FREE, TOTAL, FORCES, REST, BENDS, RATES = range(6)
+FREE, TOTAL, FORCES, REST, BENDS, RATES, LAST_TOTAL, LAST_FORCES = range(8)
 """Vectors: the change of the scaled velocities without contacts, and with them; forces, what they miss, and
-what contacts are accelerated by the rotation; changes of velocity and angular momentum.
+what contacts are accelerated by the rotation; changes of velocity and angular momentum; the second and third
+as they were in the round before.
 """
 
 
@@ -267,6 +270,15 @@ def _take_forces(flow, pressing, forces):
             c.ps, c.pt = -c.mu_kinetic * c.pn * along, -c.mu_kinetic * c.pn * across
 
 
+@inline
+def _extrapolate(vectors, rows, part):
+    """Go on from the last two rounds by a part of the way from one to the other."""
+    for i in range(6):
+        vectors[TOTAL, i] += part * (vectors[TOTAL, i] - vectors[LAST_TOTAL, i])
+    for i in range(rows):
+        vectors[FORCES, i] += part * (vectors[FORCES, i] - vectors[LAST_FORCES, i])
+
+
 @inner
 def accelerate(flow, pressing, body, points, planes, s, push, system):
     """Set how velocity and angular momentum change, and the forces of all contacts.
@@ -276,8 +288,8 @@ def accelerate(flow, pressing, body, points, planes, s, push, system):
     push : tuple
         The acceleration that acts on the body; force and moment of its devices stand in ``flow``.
     system : tuple
-        Rows and columns float64[n, 6], matrix float64[n, n], vectors float64[6, n] and pivots int64[n]. The
-        last of the vectors has the changes.
+        Rows and columns float64[n, 6], matrix float64[n, n], vectors float64[8, n] and pivots int64[n];
+        row ``RATES`` of the vectors has the changes.
     """
     vectors = system[3]
     free, total, rates = vectors[FREE], vectors[TOTAL], vectors[RATES]
@@ -311,6 +323,17 @@ def accelerate(flow, pressing, body, points, planes, s, push, system):
             square = dx * dx + dy * dy
             secant = -flow.relaxation * (last_x * dx + last_y * dy) / square if square > 0.0 else 1.0
             flow.relaxation = min(MOST_RELAXATION, max(LEAST_RELAXATION, secant))
+            part = -(x * dx + y * dy) / square if square > 0.0 else math.inf
+            misses = abs(x + part * dx) + abs(y + part * dy)
+            near = abs(x) + abs(y) <= NEAR_PRESSURE and abs(part) <= EXTRAPOLATED
+            if near and misses <= PRESSURE_TOLERANCE:
+                _extrapolate(vectors, rows, part)
+                _take_forces(flow, pressing, vectors[FORCES])
+                break
+        for i in range(6):
+            vectors[LAST_TOTAL, i] = total[i]
+        for i in range(rows):
+            vectors[LAST_FORCES, i] = vectors[FORCES, i]
         flow.cx, flow.cy = flow.cx + flow.relaxation * x, flow.cy + flow.relaxation * y
         last_x, last_y = x, y
     rates[0], rates[1], rates[2] = body.rm * total[0], body.rm * total[1], body.rm * total[2]

@@ -21,8 +21,15 @@ SHARING, REFINEMENTS = 1e-6, 2
 solutions with it, each for what the last leaves: 1e-12 of the forces, with rounding of 1e-10.
 """
 
-PRESSURE_ROUNDS = 12
-"""Most rounds of forces and centre of pressure; two or three are usual."""
+PRESSURE_ROUNDS = 6
+"""Most rounds of forces and centre of pressure; two are usual, and what has not converged in six, as where a
+contact would pull, rarely does.
+"""
+
+EXTRAPOLATED, NEAR_PRESSURE = 0.1, 1e-4
+"""Part of the way between the centres of two rounds by which forces are extrapolated instead of found in a
+third one, and how near the second has to be [m]: they are linear there to 1e-7.
+"""
 
 LEAST_RELAXATION, MOST_RELAXATION = 0.02, 4.0
 """Bounds of the factor on its change in each: a change may call for another against it, or along with it."""
@@ -104,10 +111,14 @@ IMPULSE_TIME = 1e-3
 DEVICE_LOSS_STEP = 0.25
 """Longest step in which a device is lost, over the longest plain one."""
 
-DEVICE_STEP = 2.0
-"""The same in which a device begins or ends to bear, yields or rubs: what is plastic is counted at its end,
-and of a force that jumps the error of a step sees a hundredth.
+DEVICE_STEP, SWITCH_STEP = 2.0, 1.8
+"""What of a step may come after a device begins or ends to bear, yields or rubs in it, over the longest plain
+one: what is plastic is counted at its end, and of a force that jumps its error sees a hundredth. And what
+does where the step is taken again to end soon after that; less, as when it happens is estimated.
 """
+
+YIELDS_ON = 0.1
+"""Part of a step up to which a device that yields or rubs in it did so from its beginning."""
 
 FLOW_WORK = 25.0
 """Work of a step on the budget of a run, in updates of a contact."""

@@ -229,24 +229,38 @@ def hold(springs, pulls, bodies, poses, h):
     return changed
 
 
+@inline
+def _part_at(before, after, limit):
+    """Return at which part of a step what changes evenly reaches a limit."""
+    return min(1.0, max(0.0, (limit - before) / (after - before))) if after != before else 0.0
+
+
 @inner
-def changes_branch(springs, before, pulls):
-    """Return whether any device begins or ends to bear in a step, or yields or rubs at its end."""
+def first_switch(springs, before, pulls):
+    """Return at which part of a step a device first begins or ends to bear, yields or rubs, or inf."""
+    first = math.inf
     for k in range(springs.shape[0]):
         spring, pull, last = springs[k], pulls[k], before[k]
         if pull.lost:
             continue
-        if (last.force > 0.0) != (pull.force > 0.0) or (last.force < 0.0) != (pull.force < 0.0):
-            return True
+        far_before, far = norm((last.xx, last.xy, last.xz)), norm((pull.xx, pull.xy, pull.xz))
+        slack = spring.slack_plus[col.TANGENT]
+        if (last.force > 0.0) != (pull.force > 0.0):
+            first = min(first, _part_at(last.e, pull.e, pull.plastic + spring.slack_plus[col.NORMAL]))
+        if (last.force < 0.0) != (pull.force < 0.0):
+            first = min(first, _part_at(last.e, pull.e, pull.plastic - spring.slack_minus[col.NORMAL]))
         if (last.shear > 0.0) != (pull.shear > 0.0):
-            return True
+            first = min(first, _part_at(far_before, far, slack))
         if spring.interaction:
             continue
-        if pull.force >= spring.limit_plus[col.NORMAL] or -pull.force >= spring.limit_minus[col.NORMAL]:
-            return True
-        if pull.shear > 0.0 and pull.shear >= _most_shear(spring, pull.force) * (1.0 - 1e-12):
-            return True
-    return False
+        most, least = spring.limit_plus[col.NORMAL], -spring.limit_minus[col.NORMAL]
+        if pull.force >= most or pull.force <= least:
+            over = (most if pull.force > 0.0 else least) / spring.stiffness[col.NORMAL]
+            first = min(first, _part_at(_over(spring, last), _over(spring, pull), over))
+        most = _most_shear(spring, pull.force)
+        if pull.shear > 0.0 and pull.shear >= most * (1.0 - 1e-12):
+            first = min(first, _part_at(far_before, far, slack + most / spring.stiffness[col.TANGENT]))
+    return first
 
 
 @inline

@@ -37,10 +37,12 @@ from stayput.mechanics.space.constants import (
     SHORTEST_FLOW,
     SHORTEST_FLOW_STEP,
     STEP_SAFETY,
+    SWITCH_STEP,
     VELOCITY_ERROR_TIME,
+    YIELDS_ON,
 )
 from stayput.mechanics.space.contact import velocity_at
-from stayput.mechanics.space.devices import changes_branch, give, loads_of
+from stayput.mechanics.space.devices import first_switch, give, loads_of
 from stayput.mechanics.space.solve import IMPACT
 from stayput.mechanics.space.stepping import push_at
 from stayput.mechanics.space.stuck_edge import (
@@ -382,9 +384,9 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
             if part * h < SHORTEST_FLOW:
                 stage[0] = now[0]
                 return 0.0, how
-        switches = changes_branch(springs, devices_before[0], pulls)
-        if switches and part * h > DEVICE_STEP * longest:
-            h = max(0.25 * part * h, DEVICE_STEP * longest)
+        switch = first_switch(springs, devices_before[0], pulls)
+        if (part - switch) * h > DEVICE_STEP * longest:
+            h = switch * h + SWITCH_STEP * longest
             continue
         if springs.shape[0] > 0 and give(springs, pulls, devices, stage, dt * k + t + part * h):
             if part * h > DEVICE_LOSS_STEP * longest:
@@ -395,9 +397,10 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
             how = CHANGES
         if part == 1.0:
             flow.margin, flow.gap = margin, gap
-            most = DEVICE_STEP * longest if switches else LONGEST_FLOW_STEP
+            # what yields or rubs from the beginning on will go on to do so
+            most = DEVICE_STEP * longest if switch <= YIELDS_ON else LONGEST_FLOW_STEP
             flow.step = min(most, h * max(LEAST_GROWTH, min(MOST_GROWTH, growth)))
-            flow.kinked = 1 if switches else 0
+            flow.kinked = 1 if switch <= 1.0 else 0
             if not flow.on_edge:
                 flow.step_off_edge = max(flow.step, longest)
         if not flow.on_edge:
