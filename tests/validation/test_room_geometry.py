@@ -257,9 +257,26 @@ def test_one_walks_out_through_gaps_that_are_wide_enough(gap: float, free: bool)
     plan = sp.FloorPlan(4.0, 3.0, [door], places=[sp.PersonPlace.of("desk", (0.6, 1.5))])
     wall = rectangle((2.0, 0.5 * (3.0 - gap)), 0.4, 3.0 - gap)
     ways = WalkableGrid(plan)
-    blocked, shut_in = ways.shut_in(ways.covered([wall]))
+    covered = ways.covered([wall])
+    blocked, shut_in = ways.shut_in(covered, ways.too_near(covered))
     assert shut_in == [not free]
     assert blocked == [False] or not free
+
+
+def test_one_walks_no_nearer_to_furniture_than_half_a_passage() -> None:
+    rng = np.random.default_rng(5)
+    ways = WalkableGrid(sp.FloorPlan(4.0, 3.0))
+    middles, sides = rng.uniform((0.0, 0.0), (4.0, 3.0), (6, 2)), rng.uniform(0.1, 1.0, (6, 2))
+    pieces = [
+        ways.covered([rectangle((x, y), width, length)])
+        for (x, y), (width, length) in zip(middles.tolist(), sides.tolist(), strict=True)
+    ]
+    taken = np.argwhere(np.any(pieces, axis=0))
+    cells = np.argwhere(np.ones_like(pieces[0]))
+    apart = np.linalg.norm(cells[:, np.newaxis] - taken, axis=2).min(axis=1)
+    # it is half a cell more to the middle of a covered cell than to its edge
+    near = (CELL * (apart - 0.5) < 0.5 * PASSAGE - 0.5 * CELL).reshape(pieces[0].shape)
+    np.testing.assert_array_equal(np.any([ways.too_near(each) for each in pieces], axis=0), near)
 
 
 def test_a_door_that_opens_inwards_needs_its_floor() -> None:

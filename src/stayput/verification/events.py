@@ -46,6 +46,24 @@ ROUNDING = 1e-9
 """Share by which rounding may change how far a point goes."""
 
 
+REACH = math.ceil(0.5 * PASSAGE / CELL)
+"""Cells around what is covered that may be too near to it."""
+
+
+def _around(cells: NDArray[np.intp]) -> slice:
+    """Return the part of an axis on which cells may be too near to some."""
+    return slice(max(0, int(cells[0]) - REACH), int(cells[-1]) + REACH + 1)
+
+
+def _blocks(obstacles: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return the cells from which the nearest obstacle is less than half of `PASSAGE` away."""
+    from scipy import ndimage  # loading it takes longer than a run
+
+    images: Any = ndimage  # its results depend on its arguments, which its types do not tell
+    clear: NDArray[np.float64] = CELL * (images.distance_transform_edt(~obstacles) - 0.5)
+    return clear < 0.5 * PASSAGE - 0.5 * CELL
+
+
 def _middles(side: float) -> NDArray[np.float64]:
     return CELL * (np.arange(max(1, round(side / CELL)), dtype=np.float64) + 0.5)
 
@@ -138,15 +156,29 @@ class WalkableGrid:
         angle = 2.0 * math.asin(min(1.0, 0.5 * PASSAGE / door.width))
         return (np.hypot(along, into) <= door.width) & (np.arctan2(into, along) <= angle)
 
-    def _walkable(self, covered: NDArray[np.bool_]) -> NDArray[np.int64]:
+    def too_near(self, covered: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """Return the cells in which a person who walks is too near to covered ones, shape (nx, ny).
+
+        Of what covers more it is what is too near to any part of it.
+        """
+        near = np.zeros_like(covered)
+        if covered.any():
+            x, y = (_around(np.flatnonzero(covered.any(axis=axis))) for axis in (1, 0))
+            near[x, y] = _blocks(covered[x, y])
+        return near
+
+    @cached_property
+    def _too_near_always(self) -> NDArray[np.bool_]:
+        """Cells in which one is too near to walls, or to what people lie and sit on."""
+        # a frame of one cell stands for the walls, whose faces are half a cell from the first middles
+        return _blocks(np.pad(self._taken, 1, constant_values=True))[1:-1, 1:-1]
+
+    def _walkable(self, near: NDArray[np.bool_]) -> NDArray[np.int64]:
         """Return to which of the connected parts of the walkable floor cells belong, 0 for none."""
         from scipy import ndimage  # loading it takes longer than a run
 
         images: Any = ndimage  # its results depend on its arguments, which its types do not tell
-        # a frame of one cell stands for the walls, whose faces are half a cell from the first middles
-        obstacles = np.pad(covered | self._taken, 1, constant_values=True)
-        clear: NDArray[np.float64] = CELL * (images.distance_transform_edt(~obstacles)[1:-1, 1:-1] - 0.5)
-        return images.label(clear >= 0.5 * PASSAGE - 0.5 * CELL, structure=np.ones((3, 3)))[0]
+        return images.label(~(near | self._too_near_always), structure=np.ones((3, 3)))[0]
 
     def _beside(self, parts: NDArray[np.int64], reach: NDArray[np.bool_]) -> set[int]:
         return set(np.unique(parts[reach]).tolist()) - {0}
@@ -164,17 +196,17 @@ class WalkableGrid:
         along, across = np.abs(cos * x + sin * y), np.abs(cos * y - sin * x)
         return (along <= 0.5 * place.width + PASSAGE) & (across <= 0.5 * place.length + PASSAGE)
 
-    def shut_in(self, covered: NDArray[np.bool_]) -> tuple[list[bool], list[bool]]:
+    def shut_in(self, covered: NDArray[np.bool_], near: NDArray[np.bool_]) -> tuple[list[bool], list[bool]]:
         """Return which doors are blocked, and from which places no way leads out.
 
         A door is blocked where it does not open, or nobody gets near it from the largest part of the floor.
 
         Parameters
         ----------
-        covered : ndarray of bool, shape (nx, ny)
-            Cells on which furniture lies or stands, as of `covered`.
+        covered, near : ndarray of bool, shape (nx, ny)
+            Cells on which furniture lies or stands, and those `too_near` to them.
         """
-        parts = self._walkable(covered)
+        parts = self._walkable(near)
         sizes = np.bincount(parts.ravel())
         main = {int(sizes[1:].argmax()) + 1} if len(sizes) > 1 else set[int]()
         at_doors = [
@@ -290,7 +322,7 @@ class RoomEventDetector:
     def __init__(self) -> None:
         self._grids: dict[str, WalkableGrid] = {}
         self._ends: dict[tuple[str, bytes], tuple[list[bool], list[bool]]] = {}
-        self._covered: dict[int, tuple[Track, NDArray[np.bool_]]] = {}
+        self._covered: dict[int, tuple[Track, NDArray[np.bool_], NDArray[np.bool_]]] = {}
         self._contacts: dict[tuple[int, PersonPlace], tuple[Track, RoomContact | None]] = {}
 
     def __call__(self, plan: FloorPlan, tracks: Sequence[Track]) -> RoomEvents:
@@ -309,12 +341,13 @@ class RoomEventDetector:
     def ends(self, plan: FloorPlan, tracks: Sequence[Track]) -> tuple[list[bool], list[bool]]:
         """Return which doors are blocked and who is shut in where the pieces of a run come to lie."""
         name, grid = self.grid(plan)
-        covered = np.zeros((len(grid.x), len(grid.y)), np.bool_)
+        covered, near = np.zeros((2, len(grid.x), len(grid.y)), np.bool_)
         for track in tracks:
             covered |= self.covered_by(grid, track)
+            near |= self._covered[id(track)][2]
         key = name, np.packbits(covered).tobytes()
         if key not in self._ends:
-            self._ends[key] = grid.shut_in(covered)
+            self._ends[key] = grid.shut_in(covered, near)
         return self._ends[key]
 
     def grid(self, plan: FloorPlan) -> tuple[str, WalkableGrid]:
@@ -327,7 +360,8 @@ class RoomEventDetector:
     def covered_by(self, grid: WalkableGrid, track: Track) -> NDArray[np.bool_]:
         """Return which cells of the floor a piece covers at the end of a run, shape (nx, ny)."""
         if id(track) not in self._covered:  # the track is kept with it, so that the id stays its own
-            self._covered[id(track)] = track, grid.covered([track.outline(len(track.sample) - 1)])
+            covered = grid.covered([track.outline(len(track.sample) - 1)])
+            self._covered[id(track)] = track, covered, grid.too_near(covered)
         return self._covered[id(track)][1]
 
 
