@@ -141,11 +141,11 @@ class Standing:
 
     def reaches_far_wall(self, run: KindRun) -> bool:
         """Return whether a piece came to a wall that its kind is without, so that it has to run with all."""
-        for axis, sign, offset in self._far_walls:
-            for track in run.tracks:
-                if (sign * track.span[:, axis]).min() < offset:
-                    return True
-        return False
+        return any(
+            sign * track.span[0 if sign > 0 else 1, axis] < offset
+            for axis, sign, offset in self._far_walls
+            for track in run.tracks
+        )
 
 
 def standings_of(scene: Scene, draws: SceneDraws) -> list[Standing]:

@@ -85,16 +85,23 @@ class SceneRunner:
         self._detect, self._counted = detect, list(scenario.counted)
         self._placed: dict[tuple[int, Placement], tuple[KindRun, list[Track]]] = {}
         self._standings: dict[tuple[int, ...], tuple[list[Piece], Standing]] = {}
+        self._of_scenes: dict[int, tuple[Scene, list[Standing]]] = {}
 
     def anew(self, advance: Callable[[int], None]) -> SceneRunner:
         """Return the same with the same draws, which knows of no run yet."""
         runner = copy(self)
         runner.library, runner._advance = self.library.anew(), advance
-        runner._placed, runner._standings = {}, {}
+        runner._placed, runner._standings, runner._of_scenes = {}, {}, {}
         return runner
 
     def standings(self, scene: Scene) -> list[Standing]:
-        """Return the groups of pieces of a scene; those that options of a room leave alone are made once."""
+        """Return the groups of pieces of a scene."""
+        if id(scene) not in self._of_scenes:  # the scene is kept with them, so that the id stays its own
+            self._of_scenes[id(scene)] = scene, self._found_standings(scene)
+        return self._of_scenes[id(scene)][1]
+
+    def _found_standings(self, scene: Scene) -> list[Standing]:
+        """Return the same; groups that options of a room leave alone are made once."""
         draws, standings = self.library.draws, list[Standing]()
         for group in groups_of_falls(scene):
             pieces = [scene.pieces[number] for number in group]

@@ -77,9 +77,20 @@ class Track:
         return len(self.sample) == 1
 
     @cached_property
+    def bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The least and the most of its corners at these samples [m], each of shape (k, 3)."""
+        # a product for each axis instead of many small ones; then one corner after the other: these are few
+        along = [self.shape.corners @ self.turn[:, axis].T for axis in range(3)]
+        low, high = (
+            np.stack([reduce(extreme, of_corners) for of_corners in along], axis=1) + self.place
+            for extreme in (np.minimum, np.maximum)
+        )
+        return low, high
+
+    @cached_property
     def span(self) -> NDArray[np.float64]:
         """The least and the most of its corners at any time [m], shape (2, 3)."""
-        low, high = bounds_of(self.corners())
+        low, high = self.bounds
         return np.stack([low.min(axis=0), high.max(axis=0)])
 
     def corners(self, chosen: slice | NDArray[np.intp] = slice(None)) -> NDArray[np.float64]:
@@ -159,12 +170,6 @@ def body_at(track: Track, chosen: NDArray[np.intp]) -> Convex:
     return Convex(track.corners(chosen), track.shape.normals @ back, track.shape.edges @ back)
 
 
-def bounds_of(corners: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the least and the most of corners (k, n, 3), shape (k, 3): one by one, as n is small."""
-    one_by_one = np.moveaxis(corners, 1, 0)
-    return reduce(np.minimum, one_by_one), reduce(np.maximum, one_by_one)
-
-
 def apart(span: NDArray[np.float64], other: NDArray[np.float64]) -> bool:
     """Return whether two boxes do not touch, given their least and most corners, shape (2, 3)."""
     return bool((span[0] > other[1]).any() or (other[0] > span[1]).any())
@@ -176,7 +181,7 @@ def meet(track: Track, other: Track) -> bool:
         return False
     sample = np.union1d(track.sample, other.sample)
     first, second = (np.searchsorted(run.sample, sample, side="right") - 1 for run in (track, other))
-    (low, high), (least, most) = bounds_of(track.corners()), bounds_of(other.corners())
+    (low, high), (least, most) = track.bounds, other.bounds
     near = np.all((low[first] <= most[second]) & (high[first] >= least[second]), axis=1)
 
     def gap_at(k: NDArray[np.intp]) -> NDArray[np.float64]:
@@ -245,10 +250,10 @@ RunT = TypeVar("RunT")
 def groups_at_first(scene: Scene) -> list[Group]:
     """Return which pieces of a scene run together from the beginning, in the order of the first of each."""
     count, at_first = len(scene.pieces), [at_rest(piece) for piece in scene.pieces]
-    bounds, none = [bounds_of(track.corners()) for track in at_first], np.zeros(1, np.intp)
+    none = np.zeros(1, np.intp)
     pairs = [(joint.first, joint.second) for joint in scene.joints]
     for a, b in combinations(range(count), 2):
-        (low, high), (least, most) = bounds[a], bounds[b]
+        (low, high), (least, most) = at_first[a].bounds, at_first[b].bounds
         if (low <= most + BESIDE).all() and (least <= high + BESIDE).all():
             gap = separation(body_at(at_first[a], none), body_at(at_first[b], none))
             if gap[0] <= BESIDE:

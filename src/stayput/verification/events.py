@@ -18,7 +18,7 @@ from stayput.mechanics.columns import OVERTURNED_OUTCOME
 from stayput.model.floor_plan import Door, FloorPlan, PersonPlace, rectangle
 from stayput.montecarlo.scenes import FALLS, RoomEvents
 from stayput.simulation import groups
-from stayput.simulation.groups import Touching, Track, at_rest, body_at, bounds_of, touching_of
+from stayput.simulation.groups import Touching, Track, at_rest, body_at, touching_of
 from stayput.simulation.piece import Piece, box_of, separation
 from stayput.simulation.space_records import Path
 
@@ -260,7 +260,7 @@ def contact_with_place(track: Track, place: PersonPlace) -> RoomContact | None:
     least, most = (*corners.min(axis=0), place.low), (*corners.max(axis=0), place.high)
     if groups.apart(track.span, np.array([least, most])):
         return None
-    low, high = bounds_of(track.corners())
+    low, high = track.bounds
     near = np.all((low <= most) & (high >= least), axis=1)
     touching = touching_of(
         track.sample, near, track.dt, lambda k: separation(body_at(track, k), box_of(place, len(k)))
