@@ -111,10 +111,15 @@ IMPULSE_TIME = 1e-3
 DEVICE_LOSS_STEP = 0.25
 """Longest step in which a device is lost, over the longest plain one."""
 
-DEVICE_STEP, SWITCH_STEP = 2.0, 1.8
-"""What of a step may come after a device begins or ends to bear, yields or rubs in it, over the longest plain
-one: what is plastic is counted at its end, and of a force that jumps its error sees a hundredth. And what
-does where the step is taken again to end soon after that; less, as when it happens is estimated.
+DEVICE_STEP, SWITCH_STEP = 2.0, 1.0
+"""Longest step in which a device yields or rubs from the beginning on, as what is plastic is counted at its
+end; and what of a step may come after a device begins or ends to bear, to yield or to rub in it: of a force
+that jumps the error of a step sees a hundredth. Both over the longest plain one.
+"""
+
+AFTER_SWITCH = 0.7
+"""What of these lengths comes after the switch where a step is taken again to end there: when it happens is
+estimated.
 """
 
 YIELDS_ON = 0.1

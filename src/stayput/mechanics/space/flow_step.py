@@ -23,6 +23,7 @@ from stayput.mechanics.space.active_set import (
 )
 from stayput.mechanics.space.body import attitude, in_body, rotation, set_attitude
 from stayput.mechanics.space.constants import (
+    AFTER_SWITCH,
     DEVICE_LOSS_STEP,
     DEVICE_STEP,
     EVENT_TIME_TOLERANCE,
@@ -385,8 +386,10 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
                 stage[0] = now[0]
                 return 0.0, how
         switch = first_switch(springs, devices_before[0], pulls)
-        if (part - switch) * h > DEVICE_STEP * longest:
-            h = switch * h + SWITCH_STEP * longest
+        # what yields or rubs from the beginning on goes on to do so
+        yields_on = switch <= YIELDS_ON
+        if (part - switch) * h > (DEVICE_STEP if yields_on else SWITCH_STEP) * longest:
+            h = switch * h + AFTER_SWITCH * (DEVICE_STEP if yields_on else SWITCH_STEP) * longest
             continue
         if springs.shape[0] > 0 and give(springs, pulls, devices, stage, dt * k + t + part * h):
             if part * h > DEVICE_LOSS_STEP * longest:
@@ -397,8 +400,7 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
             how = CHANGES
         if part == 1.0:
             flow.margin, flow.gap = margin, gap
-            # what yields or rubs from the beginning on will go on to do so
-            most = DEVICE_STEP * longest if switch <= YIELDS_ON else LONGEST_FLOW_STEP
+            most = DEVICE_STEP * longest if yields_on else LONGEST_FLOW_STEP
             flow.step = min(most, h * max(LEAST_GROWTH, min(MOST_GROWTH, growth)))
             flow.kinked = 1 if switch <= 1.0 else 0
             if not flow.on_edge:
