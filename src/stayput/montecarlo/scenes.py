@@ -97,10 +97,10 @@ class SceneRunner:
     def standings(self, scene: Scene) -> list[Standing]:
         """Return the groups of pieces of a scene."""
         if id(scene) not in self._of_scenes:  # the scene is kept with them, so that the id stays its own
-            self._of_scenes[id(scene)] = scene, self._found_standings(scene)
+            self._of_scenes[id(scene)] = scene, self._find_standings(scene)
         return self._of_scenes[id(scene)][1]
 
-    def _found_standings(self, scene: Scene) -> list[Standing]:
+    def _find_standings(self, scene: Scene) -> list[Standing]:
         """Return the same; groups that options of a room leave alone are made once."""
         draws, standings = self.library.draws, list[Standing]()
         for group in groups_of_falls(scene):

@@ -55,12 +55,16 @@ def _around(cells: NDArray[np.intp]) -> slice:
     return slice(max(0, int(cells[0]) - REACH), int(cells[-1]) + REACH + 1)
 
 
-def _blocks(obstacles: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return the cells from which the nearest obstacle is less than half of `PASSAGE` away."""
+def _images() -> Any:
+    """Return SciPy's functions of images, whose results depend on their arguments as types do not tell."""
     from scipy import ndimage  # loading it takes longer than a run
 
-    images: Any = ndimage  # its results depend on its arguments, which its types do not tell
-    clear: NDArray[np.float64] = CELL * (images.distance_transform_edt(~obstacles) - 0.5)
+    return ndimage
+
+
+def _blocks(obstacles: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return the cells from which the nearest obstacle is less than half of `PASSAGE` away."""
+    clear: NDArray[np.float64] = CELL * (_images().distance_transform_edt(~obstacles) - 0.5)
     return clear < 0.5 * PASSAGE - 0.5 * CELL
 
 
@@ -175,10 +179,7 @@ class WalkableGrid:
 
     def _walkable(self, near: NDArray[np.bool_]) -> NDArray[np.int64]:
         """Return to which of the connected parts of the walkable floor cells belong, 0 for none."""
-        from scipy import ndimage  # loading it takes longer than a run
-
-        images: Any = ndimage  # its results depend on its arguments, which its types do not tell
-        return images.label(~(near | self._too_near_always), structure=np.ones((3, 3)))[0]
+        return _images().label(~(near | self._too_near_always), structure=np.ones((3, 3)))[0]
 
     def _beside(self, parts: NDArray[np.int64], reach: NDArray[np.bool_]) -> set[int]:
         return set(np.unique(parts[reach]).tolist()) - {0}
@@ -341,12 +342,14 @@ class RoomEventDetector:
     def ends(self, plan: FloorPlan, tracks: Sequence[Track]) -> tuple[list[bool], list[bool]]:
         """Return which doors are blocked and who is shut in where the pieces of a run come to lie."""
         name, grid = self.grid(plan)
+        of_pieces = [self.covered_by(grid, track) for track in tracks]
         covered, near = np.zeros((2, len(grid.x), len(grid.y)), np.bool_)
-        for track in tracks:
-            covered |= self.covered_by(grid, track)
-            near |= self._covered[id(track)][2]
+        for cells, _ in of_pieces:
+            covered |= cells
         key = name, np.packbits(covered).tobytes()
         if key not in self._ends:
+            for _, cells in of_pieces:
+                near |= cells
             self._ends[key] = grid.shut_in(covered, near)
         return self._ends[key]
 
@@ -357,12 +360,12 @@ class RoomEventDetector:
             self._grids[name] = WalkableGrid(plan)
         return name, self._grids[name]
 
-    def covered_by(self, grid: WalkableGrid, track: Track) -> NDArray[np.bool_]:
-        """Return which cells of the floor a piece covers at the end of a run, shape (nx, ny)."""
+    def covered_by(self, grid: WalkableGrid, track: Track) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """Return which cells of the floor a piece covers at the end of a run, and those too near to it."""
         if id(track) not in self._covered:  # the track is kept with it, so that the id stays its own
             covered = grid.covered([track.outline(len(track.sample) - 1)])
             self._covered[id(track)] = track, covered, grid.too_near(covered)
-        return self._covered[id(track)][1]
+        return self._covered[id(track)][1:]
 
 
 class Zones(NamedTuple):
@@ -394,7 +397,7 @@ def zones_of(
         fell = runs.results[:, body]["outcome"] == OVERTURNED_OUTCOME
         counts = np.zeros((2, len(grid.x), len(grid.y)))
         for track, overturned in zip(runs.tracks[:, body], fell.tolist(), strict=True):
-            counts[0 if overturned else 1] += detector.covered_by(grid, track)
+            counts[0 if overturned else 1] += detector.covered_by(grid, track)[0]
         zones.append(Zones(counts[0] / len(fell), counts[1] / len(fell), at_rest(piece).outline(0)))
     return zones
 

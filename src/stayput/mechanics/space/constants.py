@@ -123,7 +123,7 @@ estimated.
 """
 
 YIELDS_ON = 0.1
-"""Part of a step up to which a device that yields or rubs in it did so from its beginning."""
+"""Part of a step up to which a device that switches in it counts as if it had from its beginning."""
 
 FLOW_WORK = 25.0
 """Work of a step on the budget of a run, in updates of a contact."""

@@ -388,8 +388,9 @@ def advance_flow(world, held, poses, acceleration, k, t, numbers, devices_before
         switch = first_switch(springs, devices_before[0], pulls)
         # what yields or rubs from the beginning on goes on to do so
         yields_on = switch <= YIELDS_ON
-        if (part - switch) * h > (DEVICE_STEP if yields_on else SWITCH_STEP) * longest:
-            h = switch * h + AFTER_SWITCH * (DEVICE_STEP if yields_on else SWITCH_STEP) * longest
+        after = (DEVICE_STEP if yields_on else SWITCH_STEP) * longest
+        if (part - switch) * h > after:
+            h = switch * h + AFTER_SWITCH * after
             continue
         if springs.shape[0] > 0 and give(springs, pulls, devices, stage, dt * k + t + part * h):
             if part * h > DEVICE_LOSS_STEP * longest:
