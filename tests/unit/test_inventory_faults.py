@@ -192,7 +192,15 @@ def _shorten_records(path: Path) -> None:
         base.execute("UPDATE outcomes SET record = substr(record, 2) WHERE number = 3")
 
 
-@pytest.mark.parametrize("breaks", [_cut, _empty, Path.unlink, _garble, _rename_columns, _shorten_records])
+def _damage_a_record(path: Path) -> None:
+    """As where the end of the file is cut off: SQLite reads zeros there."""
+    with contextlib.closing(sqlite3.connect(path)) as base, base:
+        base.execute("UPDATE outcomes SET record = zeroblob(length(record)) WHERE number = 3")
+
+
+@pytest.mark.parametrize(
+    "breaks", [_cut, _empty, Path.unlink, _garble, _rename_columns, _shorten_records, _damage_a_record]
+)
 def test_outcomes_that_are_lost_are_simulated_again(inputs, expected, finished, done, breaks):
     breaks(done / "work" / "outcomes.sqlite")
     shutil.rmtree(done / "pieces")

@@ -201,7 +201,8 @@ RECORD = np.dtype(
 """Type of the outcome of an option of a unit."""
 
 _OUTCOMES = """
-CREATE TABLE IF NOT EXISTS outcomes (number INTEGER PRIMARY KEY, record BLOB NOT NULL);
+CREATE TABLE IF NOT EXISTS outcomes
+    (number INTEGER PRIMARY KEY, record BLOB NOT NULL, checksum INTEGER NOT NULL);
 CREATE TABLE IF NOT EXISTS parts (name TEXT PRIMARY KEY, rows INTEGER NOT NULL, digest TEXT NOT NULL);
 """
 
@@ -233,12 +234,14 @@ class OutcomeStore:
         self._base = sqlite3.connect(path)
         self._base.executescript(_OUTCOMES)
         (state,) = self._base.execute("PRAGMA quick_check(1)").fetchone()
-        wrong = "SELECT count(*) FROM outcomes WHERE length(record) != ? OR number >= ?"
-        (others,) = self._base.execute(wrong, (RECORD.itemsize, len(self.done))).fetchone()
-        if state != "ok" or others:
+        if state != "ok":
             raise ValueError(state)
-        numbers = self._base.execute("SELECT number FROM outcomes")
-        self.done[np.fromiter((number for (number,) in numbers), np.int64)] = True
+        self.done[:] = False
+        # SQLite notices damaged pages, but no damaged record: it reads zeros where the file's end is cut off
+        for number, record, checksum in self._base.execute("SELECT number, record, checksum FROM outcomes"):
+            if zlib.crc32(record) != checksum or len(record) != RECORD.itemsize or number >= len(self.done):
+                raise ValueError(number)
+            self.done[number] = True
 
     def _open_anew(self, path: Path) -> None:
         self._base.close()
@@ -252,8 +255,9 @@ class OutcomeStore:
 
     def add(self, records: NDArray[np.void]) -> None:
         """Add records that are not there yet; they are kept once `commit` is called."""
-        rows = ((int(record["number"]), record.tobytes()) for record in records)
-        self._base.executemany("INSERT INTO outcomes VALUES (?, ?)", rows)
+        contents = ((int(record["number"]), record.tobytes()) for record in records)
+        rows = ((number, content, zlib.crc32(content)) for number, content in contents)
+        self._base.executemany("INSERT INTO outcomes VALUES (?, ?, ?)", rows)
 
     def commit(self) -> None:
         """Keep what was added."""
