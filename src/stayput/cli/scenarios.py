@@ -50,8 +50,6 @@ def simulate(
     lang: flag.LanguageOption = "",
 ) -> None:
     """Run ``stayput simulate``."""
-    from stayput.report.animation import animate_run
-    from stayput.report.plot import plot_run
     from stayput.report.summary import rows, sentences, summary
 
     check_output(plot, PLOT_SUFFIXES, stream=False)
@@ -62,8 +60,12 @@ def simulate(
         run = checked.run(flag.chosen_measures(checked, measure) if measure else None)
     sentence = say(sentences(run), lang)
     if plot is not None:
+        from stayput.report.plot import plot_run  # loading it takes longer than a run
+
         plot_run(run, plot, title=sentence, language=lang)
     if animate is not None:
+        from stayput.report.animation import animate_run  # this one too
+
         with _progress() as progress:
             animate_run(run, animate, fps=fps, speed=speed, language=lang, progress=progress)
     if json:
