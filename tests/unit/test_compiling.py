@@ -3,6 +3,7 @@
 import errno
 import os
 import pickle
+import re
 import runpy
 import shutil
 import signal
@@ -25,6 +26,9 @@ from stayput.compiling import machine_code
 from stayput.compiling.machine_code import MachineCode
 from stayput.mechanics.flat import block_extremes
 from stayput.motion.oscillator import peak_responses
+
+ROOT = Path(__file__).parents[2]
+MAKE_FOR_A_WHEEL = ROOT / ".ci" / "machine_code.py"
 
 CALLER = """
 import numpy as np
@@ -67,6 +71,7 @@ class Program:
 def run_program(folder: Path, said: Path, environment: dict[str, str]) -> None:
     os.environ.update(environment)
     tempfile.tempdir = None
+    machine_code.WITH_PACKAGE = folder / "with the package"
     # a source of the same size that is written within a second of the last one has its bytecode
     sys.dont_write_bytecode = True
     sys.path.insert(0, str(folder))
@@ -102,6 +107,53 @@ def test_code_on_disk_is_not_used_when_a_source_of_what_its_callee_calls_changes
     for factor, said in ((2.0, "compiling 3.0"), (2.0, "3.0"), (5.0, "compiling 6.0")):
         (run.folder / "far" / "away.py").write_text(callee(factor))
         assert run() == said
+
+
+def test_code_that_came_with_the_package_is_used_unless_it_is_damaged_or_a_source_changed(compiled_once):
+    with_package = compiled_once.folder / "with the package"
+    compiled_once.code.rename(with_package)
+    for file in with_package.rglob("*.code"):
+        file.rename(with_package / file.name)
+    assert compiled_once() == "3.0"
+    assert not compiled_once.code.exists()
+    (compiled_once.package / "callee.py").write_text(callee(5.0))
+    assert compiled_once() == "compiling 6.0"
+    (compiled_once.package / "callee.py").write_text(callee(2.0))
+    shutil.rmtree(compiled_once.code)
+    for file in with_package.glob("*.code"):
+        file.write_bytes(file.read_bytes()[:-1])
+    assert compiled_once() == "compiling 3.0"
+    shutil.rmtree(with_package)
+
+
+def test_all_that_is_compiled_is_made_for_a_wheel():
+    program = (
+        "import gc, runpy\n"
+        "from stayput.compiling import Entry\n"
+        f"runpy.run_path({str(MAKE_FOR_A_WHEEL)!r})['call_all']()\n"
+        "print(*sorted(f'{one.__name__}:{len(one._loaded)}' for one in gc.get_objects() if type(one) is Entry))"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    made = dict(each.split(":") for each in done.stdout.split())
+    sources = [file.read_text(encoding="utf-8") for file in (ROOT / "src").rglob("*.py")]
+    entries = {name for source in sources for name in re.findall(r"^@entry\ndef (\w+)", source, re.MULTILINE)}
+    # the plane has an entry for bodies without devices and one for those with them
+    assert made == {name: "2" if name == "run_batch" else "1" for name in entries}
+
+
+def test_processors_that_lack_what_the_usual_ones_have_get_code_of_their_own(monkeypatch):
+    usual = MachineCode("module.function", ("f",), (Path(__file__).parent,))._file
+    host, features = machine_code.llvm.get_host_cpu_name(), machine_code.llvm.get_host_cpu_features()
+    monkeypatch.setattr(machine_code.platform, "machine", lambda: "x86_64")
+    monkeypatch.setattr(machine_code.llvm, "get_host_cpu_features", lambda: features)
+    wanted = machine_code.GENERIC["x86_64", "amd64"][1]
+    for name in wanted:
+        features[name] = True
+    assert machine_code._processor.__wrapped__() == ("x86-64-v3", "")
+    features["avx2"] = False
+    assert machine_code._processor.__wrapped__() == (host, features.flatten())
+    monkeypatch.setattr(machine_code, "_processor", lambda: ("older", "-avx2"))
+    assert MachineCode("module.function", ("f",), (Path(__file__).parent,))._file != usual
 
 
 def test_code_on_disk_runs_without_numba():

@@ -1,8 +1,9 @@
 """Machine code on disk: made of LLVM's intermediate code, kept with checksums, and loaded without Numba.
 
 LLVM aborts the process on a damaged object, and machine code of changed sources would give other results.
-Each file therefore begins with the SHA-256 digest of the rest, which says of what sources, versions and
-processor it is made; a file that is damaged or stale counts as absent and is replaced.
+Each file therefore begins with the SHA-256 digest of the rest, which says of what sources and for which
+processors it is made; a file that is damaged or stale counts as absent and is replaced. A wheel brings code
+for the usual processors (`WITH_PACKAGE`), so that its users need not wait until it is compiled.
 """
 
 from __future__ import annotations
@@ -19,7 +20,6 @@ from collections.abc import Callable, Generator, Iterable
 from concurrent.futures import Future
 from contextlib import suppress
 from functools import cache
-from importlib.metadata import version
 from pathlib import Path
 from threading import Lock, Thread
 from typing import Any, TypeVar
@@ -29,6 +29,17 @@ import llvmlite.binding
 llvm: Any = llvmlite.binding  # it has no types
 _LOG = logging.getLogger("stayput")
 _DIGEST = 32  # bytes of SHA-256
+
+WITH_PACKAGE = Path(__file__).parent / "code"
+"""Folder of the code that comes with a wheel; it is only read."""
+
+GENERIC = {
+    ("x86_64", "amd64"): ("x86-64-v3", ("avx2", "bmi", "bmi2", "f16c", "fma", "lzcnt", "movbe")),
+    ("aarch64", "arm64"): ("generic", ()),
+}
+"""The processors for which code is made, by their family, and what they need to have: code for one of them
+alone is no faster. Others have code of their own.
+"""
 _one_at_a_time = Lock()
 T = TypeVar("T")
 
@@ -48,19 +59,18 @@ class MachineCode:
 
     def __init__(self, name: str, kinds: tuple[Any, ...], folders: tuple[Path, ...]) -> None:
         self._folder = folders[0]
-        processor = f"{llvm.get_host_cpu_name()} {llvm.get_host_cpu_features().flatten()}"
-        key = hashlib.sha256(repr((name, kinds, processor)).encode()).hexdigest()[:16]
+        what = name, kinds, sys.platform, platform.machine(), *_processor()
+        key = hashlib.sha256(repr(what).encode()).hexdigest()[:16]
         # the processor is part of the file's name: machines of a cluster may share the folder
         self._file = f"{name.rsplit('.', 1)[-1]}-{key}.code"
-        versions = (version("numba"), version("llvmlite"), sys.version)
         how = Path(__file__).parent
         sources = [_digest_of(folder.glob("*.py")) for folder in (how, *folders)]
-        stamp = repr((name, kinds, processor, versions, sources))
+        stamp = repr((what, sources))
         self._stamp = hashlib.sha256(stamp.encode()).hexdigest().encode()
 
     def load(self) -> int | None:
         """Load it from disk; return its address, or None where there is none that is whole and up to date."""
-        for folder in _folders(self._folder):
+        for folder in (WITH_PACKAGE, *_folders(self._folder)):
             try:
                 content = (folder / self._file).read_bytes()
             except OSError:
@@ -188,14 +198,25 @@ def _temporary_folder() -> Path | None:
 
 
 @cache
+def _processor() -> tuple[str, str]:
+    """Return LLVM's name of the processors for which code is made here, and their features beside it."""
+    features = llvm.get_host_cpu_features()
+    for machines, (name, needed) in GENERIC.items():
+        if platform.machine().lower() in machines and all(features.get(each) for each in needed):
+            return name, ""
+    return llvm.get_host_cpu_name(), features.flatten()
+
+
+@cache
 def _machine() -> Any:
     """Return LLVM's description of this machine, with the options that loading into memory needs."""
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
     x86 = platform.machine().lower() in ("x86_64", "amd64", "i686", "x86")
+    cpu, features = _processor()
     return llvm.Target.from_default_triple().create_target_machine(
-        cpu=llvm.get_host_cpu_name(),
-        features=llvm.get_host_cpu_features().flatten(),
+        cpu=cpu,
+        features=features,
         opt=3,
         reloc="static" if x86 else "default",
         codemodel="jitdefault",
