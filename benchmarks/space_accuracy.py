@@ -1,7 +1,8 @@
 """How exact runs in space are at the default step, and what they cost, beside what they were.
 
-``python benchmarks/space_accuracy.py [free walls mirror cost]`` prints tables; ``--tables`` writes them to a
-folder. `free` runs boxes under three components of shaking and counts those as not chaotic
+``python benchmarks/space_accuracy.py [free held walls mirror cost]`` prints tables; ``--tables`` writes them
+to a folder. `held` runs pieces at a wall, with measures and without, in steps of 1 and 0.1 ms. `free` runs
+boxes under three components of shaking and counts those as not chaotic
 whose answers in steps of 0.1 and 0.06 ms are within 0.2 % of each other. `walls` runs pieces that hit a wall,
 which is chaotic, in steps of 1 and 0.1 ms: what must agree are shares and medians. `mirror` runs boxes and
 their mirror images. `cost` runs a bookcase held in six ways, in a batch, on one core.
@@ -25,6 +26,9 @@ STEP, FINER, FINEST = 1e-3, 1e-4, 6e-5
 
 PIECES = 20_000
 """Pieces that hit a wall: half an hour of processor time."""
+
+DRAWS = 350
+"""Pieces held in each way."""
 
 STABLE = 2e-3
 """Relative difference of the references up to which a run is not chaotic."""
@@ -70,6 +74,42 @@ def at_a_wall(suite: list[sp.Motion], step: float, number: int) -> tuple[float, 
     room = sp.Room(sp.Floor(friction, 0.8 * friction), left_wall=sp.Wall(rng.uniform(0.005, 0.1)))
     run = sp.simulate(body, room, shaken(suite, number, rng, 0.0), step=step, dimensions=3)
     return float(run[0].peak_tilt), float(run[0].peak_slide), run.outcome.value
+
+
+def held_piece(suite: list[sp.Motion], step: float, case: tuple[str, int]) -> tuple[float, float, str]:
+    """Run a piece at a wall with a measure; return the same."""
+    kind, number = case
+    rng = np.random.default_rng([number, 5])
+    body = sp.Body(
+        rng.uniform(0.25, 0.6), rng.uniform(1.0, 2.1), rng.uniform(40, 150), length=rng.uniform(0.4, 1.2)
+    )
+    friction = float(rng.uniform(0.3, 0.8))
+    floor = sp.Floor(friction, 0.8 * friction)
+    room = sp.Room(floor, left_wall=sp.Wall(rng.uniform(0.0, 0.05)), ceiling=sp.Ceiling(2.4))
+    motion = suite[number % len(suite)].to_intensity(float(rng.uniform(5.0, 6.4)))
+    motion = shaken([motion, *suite], 0, rng, 0.0)
+    measures = [] if kind == "none" else [sp.MEASURES[kind]()]
+    run = sp.simulate(body, room, motion, measures=measures, step=step, dimensions=3)
+    return float(run.peak_tilt), float(run.peak_slide), run.outcome.value
+
+
+def held(folder: Path | None, processes: int) -> None:
+    """Tell how far pieces at a wall are from finer steps, with and without measures."""
+    suite = [*sp.synthetic_suite("crustal", 12, seed=5), *sp.synthetic_suite("near-fault", 12, seed=5)]
+    rows: list[list[str]] = []
+    with multiprocessing.Pool(processes) as pool:
+        for kind in KINDS:
+            cases = [(kind, number) for number in range(DRAWS)]
+            now, finer = (pool.map(partial(held_piece, suite, step), cases) for step in (STEP, FINER))
+            alike = np.mean([one[2] == other[2] for one, other in zip(now, finer, strict=True)])
+            falls = [sum(run[2] == "overturned" for run in runs) for runs in (now, finer)]
+            tilts = np.array([(one[0], other[0]) for one, other in zip(now, finer, strict=True)])
+            tilts = tilts[tilts[:, 1] > 1e-3]
+            off = 100.0 * np.abs(tilts[:, 0] / tilts[:, 1] - 1.0)
+            quantiles = map(three, np.quantile(off, (0.5, 0.75, 0.9)))
+            rows.append([kind, f"{100.0 * alike:.1f}", *map(str, falls), *quantiles])
+    heads = ["held by", "outcome agrees [%]", "overturn", "in steps of 0.1 ms"]
+    tell("space_held", [*heads, "median off [%]", "75 %", "90 %"], rows, folder)
 
 
 def free(folder: Path | None, processes: int) -> None:
@@ -155,7 +195,7 @@ def cost(folder: Path | None, processes: int) -> None:
     tell("space_cost", ["held by", "ms a run", "before"], [*rows, ["mean", *map(three, means)]], folder)
 
 
-PARTS = {part.__name__: part for part in (free, walls, mirror, cost)}
+PARTS = {part.__name__: part for part in (free, held, walls, mirror, cost)}
 
 
 def main() -> None:
