@@ -96,12 +96,59 @@ def test_the_report_shows_what_says_most_and_plays_it_under_any_name(
     assert page.title() == NAMES[0]
     page.locator("iframe").first.scroll_into_view_if_needed()
     player = page.frame_locator("iframe").first
-    expect(player.locator("#stands")).not_to_be_empty(timeout=WAIT)
+    expect(player.locator(".stands").first).not_to_be_empty(timeout=WAIT)
     poster = player.locator("#clock").inner_text()
     assert poster != "0.00 s"  # of the moment that says most
     player.locator("#play").click()
     expect(player.locator("#play")).to_have_text("Pause")
     expect(player.locator("#clock")).not_to_have_text(poster, timeout=WAIT)
-    assert NAMES[1] in player.locator("h1").inner_text()
+    assert NAMES[1] in (player.locator(".bodies").first.text_content() or "")
+    assert not said
+    page.close()
+
+
+def test_a_report_plays_both_runs_in_step(browser: Browser, tmp_path: Path) -> None:
+    scenario = sp.Scenario.parse(
+        {
+            "furniture": {"preset": "bookcase"},
+            "room": {"left_wall": {"gap": 0.02}},
+            "shaking": {"sine": {"amplitude": 4.0, "frequency": 1.0, "duration": 2.0}},
+            "measures": [{"type": "belt"}],
+            "uncertainty": {"samples": 24},
+        }
+    )
+    verdict = verify(scenario, levels=[], threads=1, progress=False)
+    assert verdict.best is not verdict.without
+    verdict.report(tmp_path / "report.html")
+    page, said = opened(browser, tmp_path / "report.html")
+    player = page.frame_locator("iframe").first
+    expect(player.locator(".scene")).to_have_count(2, timeout=WAIT)
+    assert player.locator("h2").all_inner_texts() == ["Without measures", "Belts"]
+    assert player.locator("#play").count() == 1
+    player.locator("#time").fill("1000")
+    end = "JSON.parse(document.getElementById('run').textContent).films[0].poses.end_s"
+    expect(player.locator("#clock")).to_have_text(f"{page.frames[1].evaluate(end):.2f} s")
+    tilts = [float(text.rstrip("°")) for text in player.locator(".tilt").all_inner_texts()]
+    assert tilts[0] > 45.0 > tilts[1]
+    assert not said
+    page.close()
+
+
+def test_a_link_opens_the_part_that_it_leads_to(browser: Browser, tmp_path: Path) -> None:
+    scenario = sp.Scenario.parse(
+        {
+            "furniture": {"preset": "bookcase"},
+            "shaking": {"sine": {"amplitude": 4.0, "frequency": 1.0, "duration": 1.0}},
+            "uncertainty": {"samples": 1},
+        }
+    )
+    verify(scenario, levels=[], threads=1, progress=False).report(tmp_path / "report.html")
+    page, said = opened(browser, tmp_path / "report.html")
+    assert page.locator("details.fold[open]").count() == 0
+    page.get_by_role("link", name="How far to trust it").click()
+    expect(page.locator("#trust")).to_have_attribute("open", "")
+    page.goto((tmp_path / "report.html").as_uri() + "#fragility")
+    page.reload()
+    assert page.locator("details.fold[open]").count() <= 1  # curves were left out
     assert not said
     page.close()

@@ -1,18 +1,22 @@
-"""The report of a room on paper: headings stay with their tables, and pages have margins."""
+"""Reports on paper: few pages, headings stay with their tables, and pages have margins."""
 
 from __future__ import annotations
 
 import re
+from pathlib import Path
 from typing import TYPE_CHECKING
 
+import pytest
+import verdict_cases
 from test_room_api import ROOM
 
 import stayput as sp
+from long_cases import long
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from playwright.sync_api import Browser
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 LINKED = """(gap) => {
   // the printed file says on which page a link's target is
@@ -22,8 +26,10 @@ LINKED = """(gap) => {
     links.append(Object.assign(document.createElement("a"), { href: `#${id}`, textContent: id }));
   };
   for (const table of document.querySelectorAll("main table")) {
+    if (table.closest("details details")) continue; // not printed
     let heading = (table.closest(".wide") ?? table).previousElementSibling;
     while (heading.tagName === "P") heading = heading.previousElementSibling;
+    if (heading.tagName === "SUMMARY") heading = heading.querySelector("h2");
     if (!["H2", "H3"].includes(heading.tagName)) continue;
     target(heading, `heading-${names.length}`);
     target(table.querySelector("tbody tr"), `row-${names.length}`);
@@ -46,10 +52,32 @@ def test_headings_stay_with_their_tables(browser: Browser, tmp_path: Path) -> No
         page.goto(file.as_uri())
         names = page.evaluate(LINKED, gap)
         printed = page.pdf(format="A4", print_background=True)
-        assert page.evaluate(MARGIN) == ["14mm"]
+        assert page.evaluate(MARGIN) == ["14mm 14mm 16mm"]
         page.close()
         targets = dict(re.findall(rb"/((?:heading|row)-\d+) \[(\d+) 0 R /XYZ", printed))
         assert len(names) >= 4
         assert len(targets) == 2 * len(names)
         for number, name in enumerate(names):
             assert targets[b"heading-%d" % number] == targets[b"row-%d" % number], (gap, name)
+
+
+def verdict_of(name: str) -> sp.Verdict:
+    if name == "by hand":
+        return verdict_cases.made()
+    scenario = sp.Scenario.parse(ROOM) if name == "room" else sp.read(EXAMPLES / f"{name}.toml")
+    return sp.verify(scenario, progress=False)
+
+
+@pytest.mark.parametrize(
+    ("name", "most"), [("by hand", 5), ("room", 6), *long(("bookcase", 5), ("kitchen", 5), ("bedroom", 6))]
+)
+def test_reports_have_few_pages(browser: Browser, tmp_path: Path, name: str, most: int) -> None:
+    verdict = verdict_of(name)
+    for language in ("en", "ja"):
+        page = browser.new_page()
+        page.goto(verdict.report(tmp_path / "report.html", language).as_uri())
+        for paper in ("A4", "Letter"):
+            printed = page.pdf(format=paper, print_background=True)
+            assert len(re.findall(rb"/Type\s*/Page\b", printed)) <= most
+        assert page.locator("details[open]").count() == 0  # as they were before
+        page.close()

@@ -56,7 +56,7 @@ def opened(
 def picture(page: Page) -> np.ndarray[Any, Any]:
     """The scene as it is seen, shape (height, width, 3)."""
     page.evaluate("new Promise(requestAnimationFrame).then(() => new Promise(requestAnimationFrame))")
-    return np.asarray(Image.open(io.BytesIO(page.locator("#scene").screenshot())).convert("RGB")).astype(int)
+    return np.asarray(Image.open(io.BytesIO(page.locator(".scene").screenshot())).convert("RGB")).astype(int)
 
 
 def differ(one: np.ndarray[Any, Any], other: np.ndarray[Any, Any]) -> float:
@@ -79,9 +79,9 @@ def shows_how_firmly_they_stand(page: Page, run: Any, time: float) -> None:
     scene = film_of(run).scene
     steps = [scene.stability_at(body, time) for body in range(2)]
     told = "all => all.map((one) => getComputedStyle(one).backgroundColor)"
-    chips = page.eval_on_selector_all("#bodies .chip", told)
+    chips = page.eval_on_selector_all(".bodies .chip", told)
     assert chips == ["rgb({}, {}, {})".format(*rgb(STABILITY_COLOURS[step])) for step in steps]
-    assert page.locator("#stands").inner_text() == stability_looks("en")[steps[0]][0]
+    assert page.locator(".stands").inner_text() == stability_looks("en")[steps[0]][0]
     assert [share > 0.005 for share in coloured(picture(page))] == ["moves" in steps, "falls" in steps]
 
 
@@ -104,7 +104,7 @@ def test_the_scene_is_drawn_and_follows_the_slider_and_the_views(
 
 def test_the_mouse_turns_moves_and_comes_nearer(browser: Browser, tmp_path: Path, run: Any) -> None:
     with opened(browser, written(run, tmp_path)) as page:
-        box = page.locator("#scene").bounding_box()
+        box = page.locator(".scene").bounding_box()
         assert box
         middle = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
         shown = picture(page)
@@ -125,7 +125,7 @@ def test_the_mouse_turns_moves_and_comes_nearer(browser: Browser, tmp_path: Path
 
 def test_a_finger_turns_and_two_come_nearer(browser: Browser, tmp_path: Path, run: Any) -> None:
     with opened(browser, written(run, tmp_path), size=PHONE, has_touch=True) as page:
-        box = page.locator("#scene").bounding_box()
+        box = page.locator(".scene").bounding_box()
         assert box
         x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
         session = page.context.new_cdp_session(page)
@@ -152,7 +152,7 @@ def test_the_keyboard_plays_steps_turns_and_chooses(browser: Browser, tmp_path: 
     with opened(browser, written(run, tmp_path)) as page:
         page.keyboard.press("ArrowRight")
         page.wait_for_function("document.getElementById('clock').textContent === '0.52 s'")
-        page.locator("#scene").focus()
+        page.locator(".scene").focus()
         shown = picture(page)
         for key in ("ArrowLeft", "Shift+ArrowUp", "+"):
             page.keyboard.press(key)
@@ -160,12 +160,12 @@ def test_the_keyboard_plays_steps_turns_and_chooses(browser: Browser, tmp_path: 
             assert differ(shown, moved) > 0.01
             shown = moved
         assert page.locator("#clock").inner_text() == "0.52 s"
-        tilts = page.locator("#tilt").inner_text(), page.locator("#slide").inner_text()
+        tilts = page.locator(".tilt").inner_text(), page.locator(".slide").inner_text()
         page.get_by_label("lower part").focus()
         page.keyboard.press("ArrowRight")
         assert page.get_by_label("</script><b>").is_checked()
-        assert (page.locator("#tilt").inner_text(), page.locator("#slide").inner_text()) != tilts
-        page.locator("#scene").focus()
+        assert (page.locator(".tilt").inner_text(), page.locator(".slide").inner_text()) != tilts
+        page.locator(".scene").focus()
         page.keyboard.press(" ")
         assert page.locator("#play").inner_text() == "Pause"
         page.wait_for_function("document.getElementById('clock').textContent > '0.60 s'")
@@ -204,7 +204,7 @@ def test_a_context_that_is_lost_is_made_anew(webgl: Browser, tmp_path: Path, run
         shown = picture(page)
         page.evaluate(
             """() => {
-              const canvas = document.getElementById("scene");
+              const canvas = document.querySelector(".scene");
               const found = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
               const back = new Promise((done) =>
                 canvas.addEventListener("webglcontextrestored", () => done()));

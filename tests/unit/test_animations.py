@@ -116,8 +116,8 @@ def test_an_interrupted_animation_leaves_the_older_file(tmp_path: Path):
 
 
 def test_players_are_in_the_language_that_is_wanted():
-    plane = player_page(film_of(report_runs.falling().named(["本棚"]), "ja"), 1.0, 1.0)
-    space = player_page(film_of(space_runs.falling().named(["本棚"]), "ja"), 1.0, 1.0)
+    plane = player_page([film_of(report_runs.falling().named(["本棚"]), "ja")], 1.0, 1.0)
+    space = player_page([film_of(space_runs.falling().named(["本棚"]), "ja")], 1.0, 1.0)
     for page in (plane, space):
         assert '<html lang="ja">' in page
         assert all(text in page for text in ("「本棚」は", "再生", "傾き", "床の加速度：", "視点"))

@@ -55,12 +55,12 @@ def test_an_inline_module_has_no_imports_and_no_exports() -> None:
     ("run", "names"), [*((falling(), [name]) for name in HOSTILE), (spinning(), HOSTILE[:3])]
 )
 def test_a_player_stands_alone_and_holds_any_name(run: sp.Run, names: list[str]) -> None:
-    page = player_page(film_of(run.named(names)), 1.0, 1.0)
+    page = player_page([film_of(run.named(names))], 1.0, 1.0)
     assert not re.search(r"https?:|src=|@import|url\(", page)
     assert (page.count("<script"), page.count("</script>")) == (2, 2)
     found = re.search(r'<script id="run" type="application/json">(.*?)</script>', page, re.DOTALL)
     assert found
-    data = json.loads(found[1])
+    (data,) = json.loads(found[1])["films"]
     assert [body["name"] for body in data["bodies"]] == names
     steps = [["stays", "moves", "falls"]] if run.engine == "plane" else [["stays"], ["moves"], ["stays"]]
     assert [[step for _, step in body["stability"]] for body in data["bodies"]] == steps

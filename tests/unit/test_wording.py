@@ -196,9 +196,9 @@ def test_the_note_on_grades_is_about_the_option_that_is_asked_for():
         " ".join(english for english, _ in shaken_notes(verdict, graded))
         for graded in (verdict.best.option, verdict.without.option)
     )
-    assert "The numbers of “Belts” rest on" in best
-    assert "The numbers of “Without measures” rest on" in bare
-    assert "Belts" not in bare
+    assert "belts: strength of one" in best
+    assert "belts" not in bare
+    assert all(note.startswith("Rough (grade C): assumed are size and mass") for note in (best, bare))
 
 
 def test_counts():

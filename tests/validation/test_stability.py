@@ -106,7 +106,7 @@ def test_each_step_is_darker_than_the_one_before_in_the_colours_that_pages_have(
     assert all(lighter > 1.25 * darker for lighter, darker in itertools.pairwise(lights))
     for step, colour in STABILITY_COLOURS.items():
         assert inks_css().count(f"--{step}: {colour};") == 1
-    page = player_page(film_of(sp.simulate(BODY, sp.Room(), sp.near_fault())), 1.0, 1.0)
+    page = player_page([film_of(sp.simulate(BODY, sp.Room(), sp.near_fault()))], 1.0, 1.0)
     assert all(f"--{step}: {colour};" in page for step, colour in STABILITY_COLOURS.items())
     assert [name for name, _ in stability_looks("ja").values()] == [
         "動かない",

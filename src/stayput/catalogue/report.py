@@ -20,6 +20,12 @@ TEXTS: dict[str, tuple[str, str]] = {
                     "同じ震度の他の地震には当てはまりません。")),
     "after": ("With the best of those compared", "比較した中で最良の対策"),
     "ranking": ("The measures, best first", "対策の順位"),
+    "brief_ranking_text": (("Share of the cases in which it overturns, with the 95 % interval; measures that "
+                            "do not clearly differ share a rank. {runs}."),
+                           ("転倒する割合と95%区間です。明らかな差のない対策は同じ順位です。{runs}。")),
+    "numbers": ("All measures in numbers", "すべての対策の数値"),
+    "defaults": ("Defaults and limits of the model", "既定値とモデルの限界"),
+    "trust": ("How far to trust it", "どこまで確かか"),
     "ranking_text": (("Shares of all runs with their 95 % intervals. All measures met the same motions "
                       "and the same draws. Ranked by what clearly differs: overturning, then what comes "
                       "out of the furniture, then sliding. What does not clearly differ shares a rank. "

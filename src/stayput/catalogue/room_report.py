@@ -30,6 +30,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "is_hit": ("hit: {share}", "当たる：{share}"),
     "is_blocked": ("blocked: {share}", "ふさがる：{share}"),
     "overturns": ("overturns: {share}", "転倒：{share}"),
+    "as_it_is": ("As it is", "今のまま"),
     # Places
     "places": ("Who is hit, and how often", "人に当たる確率"),
     "places_text": (("The chance that a falling piece hits whoever is there, with its 95 % interval{covers}; "
@@ -99,6 +100,7 @@ TEXTS: dict[str, tuple[str, str]] = {
                   "被害は、人がいる時間を考慮した、家具が人に当たるエネルギーの全計算の平均です。"),
     # Changes
     "changes": ("Single changes, best first", "変更の候補（効果の大きい順）"),
+    "all_changes": ("All changes in numbers", "すべての変更の数値"),
     "changes_text": (("Each change is made alone, under the same motions and with the same random "
                       "numbers. Differences are from the room as it is, in percentage points, with their "
                       "95 % intervals."),

@@ -36,6 +36,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "view_top": ("Top", "上"),
     "shaken": ("Move the room with the ground", "部屋を地盤とともに動かす"),
     "scene": ("Picture in space, turned by dragging or arrow keys", "立体図（ドラッグまたは矢印キーで回転）"),
+    "about": ("About this picture", "この図について"),
     "strip": ("Floor acceleration and tilt over time", "床の加速度と傾きの時刻歴"),
     "tilt_of": ("Tilt: {name}, up to {angle}°", "傾き：{name}、最大{angle}°"),
     "keys": (("Drag to turn the picture, with the right button or two fingers to move it; the wheel or a "

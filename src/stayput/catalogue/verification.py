@@ -101,13 +101,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "field": (("Against the field: half of such pieces overturn at a peak floor velocity of {median:.0f} "
                "cm/s here, {least:.2g} to {most:.2g} times what is given for unanchored furniture that "
                "stands free and does not slide: {low:.0f} cm/s (FEMA P-58) to {high:.0f} cm/s (Kaneko and "
-               "Hayashi){wall}."),
+               "Hayashi)."),
               ("既往の式との比較：この家具の半数が転倒する床の最大速度は、ここでは{median:.0f} cm/sです。"
                "これは、壁のない、滑らない未固定家具の式の値（FEMA P-58：{low:.0f} cm/s、金子・林："
-               "{high:.0f} cm/s）の{least:.2g}～{most:.2g}倍です{wall}。")),
-    "field_wall": (("; most of the difference comes from the wall behind, which stops the rocking to one "
-                    "side"),
-                   "（差の多くは、片側のロッキングを止める背後の壁によるものです）"),
+               "{high:.0f} cm/s）の{least:.2g}～{most:.2g}倍です。")),
     "contents_bound": (("What the contents do to the furniture itself is bounded, not computed: over the "
                         "{runs} runs in which they were followed, one of each motion, it overturns "
                         "without a measure in {rigid} with all of them fixed to it, and in {emptied} "
@@ -121,11 +118,6 @@ TEXTS: dict[str, tuple[str, str]] = {
                           "measure, the simulation {simulated}. The formula leaves out: {left_out}."),
                          ("対策なしの転倒は、簡易式（金子・林）では{formula}%、"
                           "シミュレーションでは{simulated}です。簡易式が考慮していないもの：{left_out}。")),
-    "wall_behind": ("the wall behind ({gap} away)", "背後の壁（すき間{gap}）"),
-    "wall_in_front": ("the wall in front ({gap} away)", "前方の壁（すき間{gap}）"),
-    "wall_at_near_side": ("the wall at the near side ({gap} away)", "手前側の側壁（すき間{gap}）"),
-    "wall_at_far_side": ("the wall at the far side ({gap} away)", "奥側の側壁（すき間{gap}）"),
-    "ceiling": ("the ceiling, which the piece meets as it tips", "傾くと当たる天井"),
     "may_slide": ("a floor on which it may slide (friction {friction:.2g}, depth over height {slender:.2g})",
                   "滑ることのある床（摩擦係数{friction:.2g}、奥行き÷高さ{slender:.2g}）"),
     "centre_off_middle": ("a centre of gravity at {percent:.0f} % of the height, not at half",
@@ -147,8 +139,12 @@ TEXTS: dict[str, tuple[str, str]] = {
                                "実際の取付けでは{share}の場合に転倒します。"),
     "latches_hold": ("Latched doors are taken to stay shut when the furniture falls.",
                      "ラッチ付きの扉は、家具が倒れても閉じたままと仮定しています。"),
-    "grade": ("The numbers of “{option}” rest on inputs of grade {letter} ({meaning}): {inputs}.",
-              "「{option}」の数値の根拠は{letter}（{meaning}）です：{inputs}。"),
+    "trust_A": ("Well founded (grade A): measured or stated are {inputs}.",
+                "根拠は確かです（区分A）。測定値または指定値：{inputs}。"),
+    "trust_B": ("Fairly sure (grade B): usual values, which scatter, are taken for {inputs}.",
+                "根拠はほぼ確かです（区分B）。ばらつきのある一般的な値によるもの：{inputs}。"),
+    "trust_C": ("Rough (grade C): assumed are {inputs}. Your own values would make it surer.",
+                "目安です（区分C）。仮定した値によるもの：{inputs}。実際の値を入れると確かになります。"),
     "and_more": ("; and {more} more", "、ほか{more}件"),
     "meets": (("In {fell} of {runs} runs {first} and {second} strike each other. What they do to each other "
                "then is not followed."),

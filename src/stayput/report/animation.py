@@ -40,7 +40,7 @@ _SHORTEST = 2  # hundredths of a second between a GIF's frames: browsers slow do
 _COLOURS = 96  # colours of a GIF
 _SAMPLED = 12  # frames from which these are chosen
 
-_OF_PICTURE = ("tilt", "slide", "yaw", "strip", "shaken", "scene", "tilt_of", "keys", "no_webgl")
+_OF_PICTURE = ("tilt", "slide", "yaw", "strip", "shaken", "scene", "tilt_of", "keys", "no_webgl", "about")
 _OF_VIEWS = ("piece", "view", "view_free", "view_front", "view_side", "view_top")
 PLAYER_TEXTS = {
     **{key: f"common.{key}" for key in ("play", "pause", "time", "speed")},
@@ -188,7 +188,7 @@ def animate_run(
     suffix = target.suffix.lower()
     with draft(target) as unfinished:
         if suffix == ".html":
-            unfinished.write_text(player_page(film, speed, hold), encoding="utf-8")
+            unfinished.write_text(player_page([film], speed, hold), encoding="utf-8")
             return target
         size = width - width % 2, round(0.375 * width) * 2  # both even, as MP4 needs them
         frame = Painter(film, *size).frame
@@ -206,38 +206,45 @@ def animate_run(
 def run_player(run: Run, speed: float = 1.0, language: str = "en") -> Player:
     """Return an animation of a run that notebooks play."""
     film = film_of(run, check_language(language))
-    return Player(player_page(film, speed, hold=1.5), film.title)
+    return Player(player_page([film], speed, hold=1.5), film.title)
 
 
-def player_page(film: Film, speed: float, hold: float, *, plays: bool = True) -> str:
-    """Return the HTML player: one file with the run in it, drawn by the browser as fast as its screen.
+def player_page(
+    films: Sequence[Film], speed: float, hold: float, *, plays: bool = True, labels: Sequence[str] = ("",)
+) -> str:
+    """Return the HTML player: one file with the runs in it, drawn by the browser as fast as its screen.
 
     Parameters
     ----------
-    film : Film
-        What is shown.
+    films : sequence of Film
+        What is shown: one, or several of the same time side by side, in step.
     speed : float
         Seconds of the run in one second, to start with.
     hold : float
         How long the last pose is held before the film starts again [s].
     plays : bool
         Whether it plays at once; else its most telling moment is shown.
+    labels : sequence of str
+        What stands above each of several.
     """
-    texts = {key: say(name, film.language) for key, name in PLAYER_TEXTS.items()}
+    first, language = films[0], films[0].language
+    texts = {key: say(name, language) for key, name in PLAYER_TEXTS.items()}
     data = {
-        **film.scene.data(),
-        "looks": {step: name for step, (name, _) in stability_looks(film.language).items()},
-        "title": film.title,
-        "strip_title": film.strip_title,
+        "films": [
+            {**film.scene.data(), "strip_title": film.strip_title, "label": label}
+            for film, label in zip(films, labels, strict=True)
+        ],
+        "looks": {step: name for step, (name, _) in stability_looks(language).items()},
         "speed": speed,
         "hold_s": hold,
         "plays": plays,
-        "telling_s": telling(film.scene.run),
+        "telling_s": telling(first.scene.run),
         "texts": texts,
     }
     script = script_module(file_of("film/player.js"))
     code = {"inks": Markup(inks_css()), "data": Markup(script_json(data)), "code": Markup(script)}
-    said = {"language": film.language, "title": escape(film.title), "caption": escape(film.caption)}
+    title = escape(first.title) if len(films) == 1 else ""
+    said = {"language": language, "title": title, "caption": escape(first.caption), "plays": plays}
     return rendered("film/player.html", {**texts, **said, **code})
 
 

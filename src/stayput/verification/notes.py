@@ -15,8 +15,9 @@ from stayput.catalogue import Phrase, phrase
 from stayput.execution import Pool
 from stayput.fragility.intensity_measures import PFA, PFV
 from stayput.fragility.probabilities import percent
-from stayput.measures.measure import GRADE_OF, MEANINGS
+from stayput.measures.measure import GRADE_OF
 from stayput.model.parameters import STANDARD_GRAVITY, parameters
+from stayput.model.room import WALLS_AROUND
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.motion.floors import floor_phrase
 from stayput.standards.ac156 import ac156
@@ -24,7 +25,7 @@ from stayput.standards.asce43 import FRICTION_RANGE, VERTICAL_SHARE, asce43_slid
 from stayput.standards.equipment import EquipmentLoad, equipment_loads, position_of
 from stayput.verification.meetings import notes_of_rooms
 from stayput.verification.options import furniture_tag, grade, weakest
-from stayput.verification.words import length, slides_off, title
+from stayput.verification.words import slides_off
 from stayput.wording import FAR, joined
 
 if TYPE_CHECKING:
@@ -171,13 +172,17 @@ def notes(verdict: Verdict) -> tuple[Phrase, ...]:
 def shaken_notes(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
     """Yield the notes of a verdict but that on the piece without an earthquake.
 
+    How far its numbers may be trusted comes first; of a room with a plan each step says so of itself.
+
     Parameters
     ----------
     verdict : Verdict
         The verdict.
     graded : Option
-        The option whose grade is explained.
+        The option of which that is told.
     """
+    if verdict.scenario.plan is None:
+        yield _trust(graded, verdict)
     strength = verdict.scenario.shaking.strength
     if strength is not None and strength.scatter:
         yield phrase("verification.strength", strength=strength.told(verdict.motions))
@@ -185,13 +190,11 @@ def shaken_notes(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
         yield phrase("verification.of_a_floor", floor=floor_phrase(verdict.floor))
     if not verdict.scenario.alone:
         yield from notes_of_rooms(verdict)
-        if verdict.scenario.plan is None:
-            yield _grade(graded, verdict)
         return
-    if verdict.estimates is not None and not verdict.without.option.count:  # formulas know of no measures
+    free = not verdict.without.option.count and _stands_free(verdict.scenario)
+    if verdict.estimates is not None and free:  # formulas know of no measures, walls and ceilings
         yield from _estimate(verdict, verdict.estimates.overturning_ratio)
         yield from _field(verdict)
-    yield _grade(graded, verdict)
     if any(slides_off(option, verdict) for option in verdict.options):
         yield phrase("verification.slides_off", far=FAR)
     yield from _contents(verdict)
@@ -202,6 +205,26 @@ def shaken_notes(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
         heading = round(math.degrees(turned))  # a whole number: no −0
         key = "verification.in_space_drawn" if drawn else "verification.in_space"
         yield phrase(key, heading=heading, components=", ".join(scenario.components))
+
+
+def _stands_free(scenario: Scenario) -> bool:
+    """Return whether a piece can fall to all sides, as in the formulas that it is compared with."""
+    body, room = scenario.piece.body(), scenario.room.room()
+    walls = (getattr(room, name) for name in WALLS_AROUND)
+    if any(wall is not None and wall.gap < body.height for wall in walls):
+        return False
+    return room.ceiling is None or room.ceiling.height >= math.hypot(body.width, body.height)
+
+
+def _trust(graded: Option, verdict: Verdict) -> Phrase:
+    """Return how far the numbers of an option may be trusted: what they rest on, and what would help."""
+    scenario = verdict.scenario
+    deciding = weakest(graded, scenario)
+    inputs = joined(item.label for item in deciding[:LISTED])
+    if len(deciding) > LISTED:
+        more = phrase("verification.and_more", more=len(deciding) - LISTED)
+        inputs = inputs[0] + more[0], inputs[1] + more[1]
+    return phrase(f"verification.trust_{grade(graded, scenario).value}", inputs=inputs)
 
 
 def left_out_of_held(verdict: Verdict) -> Phrase | None:
@@ -234,7 +257,6 @@ def _field(verdict: Verdict) -> Iterator[Phrase]:
         high=100.0 * formula,
         least=lognormal.median / formula,
         most=lognormal.median / low,
-        wall=phrase("verification.field_wall") if verdict.scenario.room.room().left_wall else "",
     )
 
 
@@ -255,17 +277,6 @@ def _left_out(verdict: Verdict) -> Iterator[Phrase]:
     """Yield what the formula leaves out of this piece where it stands."""
     scenario = verdict.scenario
     body, room = scenario.piece.body(), scenario.room.room()
-    walls = (
-        (room.left_wall, "verification.wall_behind"),
-        (room.right_wall, "verification.wall_in_front"),
-        (room.near_side_wall, "verification.wall_at_near_side"),
-        (room.far_side_wall, "verification.wall_at_far_side"),
-    )
-    for wall, key in walls:
-        if wall is not None and wall.gap < body.height:
-            yield phrase(key, gap=length(wall.gap))
-    if room.ceiling is not None and room.ceiling.height < math.hypot(body.width, body.height):
-        yield phrase("verification.ceiling")
     friction, slender = room.floor.static_friction, body.width / body.height
     if friction < _MAY_SLIDE * slender:
         yield phrase("verification.may_slide", friction=friction, slender=slender)
@@ -273,22 +284,6 @@ def _left_out(verdict: Verdict) -> Iterator[Phrase]:
     if abs(up - 0.5) > _OFF_MIDDLE:
         yield phrase("verification.centre_off_middle", percent=100.0 * up)
     yield phrase("verification.of_their_own")
-
-
-def _grade(option: Option, verdict: Verdict) -> Phrase:
-    scenario = verdict.scenario
-    deciding = weakest(option, scenario)
-    inputs = joined(item.label for item in deciding[:LISTED])
-    if len(deciding) > LISTED:
-        more = phrase("verification.and_more", more=len(deciding) - LISTED)
-        inputs = inputs[0] + more[0], inputs[1] + more[1]
-    return phrase(
-        "verification.grade",
-        option=(title(option, verdict, "en"), title(option, verdict, "ja")),
-        letter=grade(option, scenario).value,
-        meaning=MEANINGS[grade(option, scenario)],
-        inputs=inputs,
-    )
 
 
 def everyday_cases(scenario: Scenario) -> tuple[tuple[estimates.TipOverCase, Phrase], ...]:

@@ -228,11 +228,11 @@ def _none(verdict: Verdict) -> Phrase:
     return phrase("several.none_more" if verdict.without.option.count else f"{_where(verdict)}.none")
 
 
-def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:
-    """Return why an option stands where it does, in one plain sentence."""
+def reason(option: OptionVerdict, verdict: Verdict, language: str, most: int | None = None) -> str:
+    """Return why an option stands where it does, in one plain sentence of at most so many clauses."""
     if math.isnan(option.probabilities[OVERTURNED].estimate):
         return say("verification.no_run", language)
-    return sentence_of([say(part, language) for part in _reasons(option, verdict)], language)
+    return sentence_of([say(part, language) for part in _reasons(option, verdict)[:most]], language)
 
 
 def _overturns(option: OptionVerdict, verdict: Verdict) -> Phrase:

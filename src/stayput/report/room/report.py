@@ -231,6 +231,8 @@ def room_html(verdict: Verdict, language: str = "en") -> str:
     people = room_words.people_in(verdict)
     moved = change_plan(verdict, language)
     kind = say("rooms.report", language)
+    shown = sections(verdict, verdict.others, language)
+    everything = verdict.without.probabilities[OVERTURNED]
     content = {
         **shared_content(verdict, "room_report", kind, SHEETS, language),
         "people": people,
@@ -244,7 +246,9 @@ def room_html(verdict: Verdict, language: str = "en") -> str:
         "falls_from": 100.0 * FALLS_FROM,
         "may_fall_from": 100.0 * MAY_FALL_FROM,
         "ways_out": any(door.door.way_out for door in people.doors),
-        "sections": sections(verdict, verdict.others, language),
+        "sections": shown,
+        "changes": next(each for each in shown if each.key == "changes"),
+        "now": people.hit.chance if people.places else everything,
         "moved": None if moved is None else (Markup(moved[0]), moved[1]),
     }
     return rendered("room/room.html", content)

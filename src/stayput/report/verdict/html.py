@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -28,6 +28,7 @@ from stayput.verification.option_runner import drawn_run
 from stayput.verification.words import class_label, title
 
 if TYPE_CHECKING:
+    from stayput.report.verdict.tables import RankingRow
     from stayput.simulation.run import Run
     from stayput.verification import Verdict
     from stayput.verification.verdict import OptionVerdict
@@ -90,6 +91,7 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
     holds = () if alone else (say("several.holds", language),)
     command = ["stayput", "verify", "scenario.toml", "--slide-limit", f"{verdict.slide_limit:g}"]
     held = [result for result in verdict.options if result.option.count]
+    rows = tables.ranking(verdict, language)
     drawn = _compared(verdict) if alone else []
     sheets, texts = ["verdict/report.css"], "report" if alone else "several"
     return {
@@ -106,7 +108,8 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
         "shares": [f"{100.0 * share:g}" for share in tables.SHARES] if alone else [],
         "notes": verdict.notes(language),
         "grades": tables.grades_text(language),
-        "rows": tables.ranking(verdict, language),
+        "rows": rows,
+        "ranked": first_rows(rows),
         "drawn": [_drawn(verdict, result, language) for result in drawn],
         "curves": curves_image(verdict, language) if verdict.best.curves else "",
         "details": [_detail(result, verdict, language) for result in held],
@@ -178,21 +181,43 @@ def pairs_of(verdict: Verdict, language: str) -> list[dict[str, Any]]:
         about = word(f"{kind}{'' if len(sides) > 1 else '_bare'}_text", language, without=without)
         if kind == "typical" and len(runs) > 1 and verdict.scenario.alone:
             about += place_of_the_measure(verdict, runs[1], language)
-        shown: list[dict[str, Any]] = []
-        for label, run in sides:
-            film = film_of(run, language, runs, window=window)
-            shown.append(
-                {
-                    "label": label,
-                    "outcome": say(sentences_of_piece(run), language),
-                    # several that play at once would be too much for a slow machine
-                    "player": player_page(film, 1.0, 1.5, plays=False),
-                    "histories": embedded(plot_run(film.scene.run, language=drawn), "svg"),
-                }
-            )
-        motion = motion_told(verdict, member, runs[0], window, language)
-        pairs.append({"title": word(kind, language), "about": about, "sides": shown, "motion": motion})
+        films = [film_of(run, language, runs, window=window) for run in runs]
+        outcomes = [say(sentences_of_piece(run), language) for run in runs]
+        labels = [label for label, _ in sides]
+        colon, listed = word("colon", language), word("listed", language)
+        shown = [
+            {
+                "label": label,
+                "outcome": outcome,
+                "histories": embedded(plot_run(film.scene.run, language=drawn), "svg"),
+            }
+            for label, outcome, film in zip(labels, outcomes, films, strict=True)
+        ]
+        pairs.append(
+            {
+                "title": word(kind, language),
+                "about": about,
+                "sides": shown,
+                "outcomes": listed.join(
+                    f"{label}{colon}{said}" for label, said in zip(labels, outcomes, strict=True)
+                ),
+                # it does not play before somebody asks for it: a page opens at its most telling moment
+                "player": player_page(films, 1.0, 1.5, plays=False, labels=labels),
+                "motion": motion_told(verdict, member, runs[0], window, language),
+            }
+        )
     return pairs
+
+
+MOST_RANKED = 5
+"""Options in the ranking on a report's first screen, that without anything among them."""
+
+
+def first_rows(rows: Sequence[RankingRow]) -> Sequence[RankingRow]:
+    """Return the rows of a ranking that stand on the first screen."""
+    bare = next(row for row in rows if not row.option.option.count)
+    first = rows[:MOST_RANKED]
+    return first if bare in first else [*rows[: MOST_RANKED - 1], bare]
 
 
 def _sides(verdict: Verdict, member: Member, language: str) -> list[tuple[str, Run]]:

@@ -162,8 +162,8 @@ class RankingRow(NamedTuple):
         Each event and its probability; there is none of a device's failure without devices.
     slide, tilt : tuple of str
         Median and 90 % quantile of the peaks.
-    reason : str
-        Why it stands where it does.
+    reason, brief : str
+        Why it stands where it does, and the same in two clauses.
     capacities : tuple of (str, str)
         Intensity at which each of `SHARES` overturns, and its interval; of one piece.
     grade, weakest : str
@@ -181,6 +181,7 @@ class RankingRow(NamedTuple):
     slide: tuple[str, str]
     tilt: tuple[str, str]
     reason: str
+    brief: str
     capacities: tuple[tuple[str, str], ...] = ()
     grade: str = ""
     weakest: str = ""
@@ -222,8 +223,8 @@ def ranking(verdict: Verdict, language: str) -> list[RankingRow]:
             for event in EVENTS
         )
         slide, tilt = numbers.slides(result.slide, room, language), numbers.angles(result.tilt, language)
-        why = reason(result, verdict, language)
-        rows.append(RankingRow(result, label, name, shares, slide, tilt, why, **each))
+        why = [reason(result, verdict, language, most) for most in (None, 2)]
+        rows.append(RankingRow(result, label, name, shares, slide, tilt, *why, **each))
     return rows
 
 
