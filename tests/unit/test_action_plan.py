@@ -379,7 +379,7 @@ def test_a_card_of_a_room_without_persons_tells_of_none(intensity: str):
 
 
 @pytest.mark.parametrize(
-    ("flags", "told"), [(["--tatami"], "give both"), (["--plan", "card.html"], "is given without a [plan]")]
+    ("flags", "told"), [(["--tatami"], "give both"), (["--card", "card.html"], "is given without a [plan]")]
 )
 def test_the_command_line_refuses_a_plan_of_no_room(tmp_path: Path, flags: list[str], told: str):
     file = tmp_path / "piece.toml"
@@ -466,7 +466,7 @@ def test_the_command_line_plans_a_room_without_places_and_doors_and_tells_of_fal
         "[uncertainty]\nsamples = 2\n",
         encoding="utf-8",
     )
-    flags = ["--plan", str(out), "--no-drilling", "--lang", "ja"]
+    flags = ["--card", str(out), "--no-drilling", "--lang", "ja"]
     done = CliRunner().invoke(app, ["verify", str(room), *flags])
     assert done.exit_code == 0, done.output
     assert "plan.html" in done.output

@@ -11,7 +11,7 @@ from commands import BEDROOM, SLENDER, cli
 from typer.testing import CliRunner
 
 import stayput as sp
-from stayput.cli import app, successors
+from stayput.cli import app
 from stayput.cli.flags import changed, value_of
 
 
@@ -79,16 +79,16 @@ def test_report_and_plan_may_not_be_one_file(tmp_path):
     file = tmp_path / "room.toml"
     file.write_text(BEDROOM, encoding="utf-8")
     (tmp_path / "sub").mkdir()
-    done = cli("verify", file, "--report", tmp_path / "r.html", "--plan", tmp_path / "sub" / ".." / "r.html")
+    done = cli("verify", file, "--report", tmp_path / "r.html", "--card", tmp_path / "sub" / ".." / "r.html")
     assert done.exit_code == 2
-    assert "--report and --plan are both" in done.stderr
+    assert "--report and --card are both" in done.stderr
     assert not (tmp_path / "r.html").exists()
 
 
 READ = {
     "room.toml": ("simulate room.toml --plot .png", "simulate room.toml --animate .gif"),
     "record.csv": (
-        "verify room.toml --plan .html",
+        "verify room.toml --card .html",
         "verify room.toml --report .html",
         "verify room.toml --csv .csv",
         "motion convert record.csv .csv",
@@ -326,22 +326,3 @@ def test_an_assessment_takes_it_of_each_of_its_scenarios(file: Path, monkeypatch
 def test_a_key_that_no_file_may_have_is_refused_by_python_too() -> None:
     with pytest.raises(sp.InputError, match="only one of the two must be given"):
         changed({}, {"set": ["title=a", "title=b"]})
-
-
-@pytest.mark.parametrize(("language", "place"), [("en", "in its place there is"), ("ja", "代わりに")])
-def test_what_is_gone_names_its_successor(language, place):
-    for command, successor in successors.COMMANDS.items():
-        refused = cli("--lang", language, command, "x.toml")
-        assert refused.exit_code == 2
-        assert place in refused.stderr
-        assert f"`{successor}`" in refused.stderr
-    for flag, successor in successors.FLAGS.items():
-        *command, last = flag.split()
-        refused = cli(*(command or ["simulate"]), "--lang", language, last)
-        assert refused.exit_code == 2
-        assert place in refused.stderr
-        assert f"`{successor}`" in refused.stderr
-        if not successor.startswith("--set"):
-            continue
-        key = successor.removeprefix("--set ").removesuffix("=VALUE")
-        assert "is unknown" not in cli("simulate", "--set", f"{key}=[]").stderr  # there is such a key

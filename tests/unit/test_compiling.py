@@ -131,7 +131,8 @@ def test_all_that_is_compiled_is_made_for_a_wheel():
         "import gc, runpy\n"
         "from stayput.compiling import Entry\n"
         f"runpy.run_path({str(MAKE_FOR_A_WHEEL)!r})['call_all']()\n"
-        "print(*sorted(f'{one.__name__}:{len(one._loaded)}' for one in gc.get_objects() if type(one) is Entry))"
+        "entries = [one for one in gc.get_objects() if type(one) is Entry]\n"
+        "print(*(f'{one.__name__}:{len(one._loaded)}' for one in entries))"
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     made = dict(each.split(":") for each in done.stdout.split())

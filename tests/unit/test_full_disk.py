@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 WRITERS = [
     "verify piece.toml --report out/report.html",
     "verify piece.toml --csv out/ranking.csv",
-    "verify room.toml --plan out/plan.html",
+    "verify room.toml --card out/plan.html",
     "simulate --motion sine:2,1,1 --plot out/run.png",
     "simulate --motion sine:2,1,1 --plot out/run.pdf",
     "simulate --motion sine:2,1,1 --animate out/run.html",

@@ -124,7 +124,7 @@ def test_the_command_line_verifies_the_home_that_is_said_or_refuses_it(tmp_path:
         f"[uncertainty]\nsamples = 2\n[room]\n{stated}",
         encoding="utf-8",
     )
-    done = CliRunner().invoke(app, ["verify", str(file), "--plan", str(out), "--tatami", "--json"])
+    done = CliRunner().invoke(app, ["verify", str(file), "--card", str(out), "--tatami", "--json"])
     if stated:
         assert done.exit_code == 2
         assert "room.floor is stated otherwise" in " ".join(done.output.split())

@@ -111,11 +111,6 @@ def test_verdicts_are_pickled_iterated_indexed_and_a_dataset():
     assert data.slide_median.attrs["units"] == "m"
 
 
-def test_a_public_name_that_is_gone_tells_its_successor():
-    with pytest.raises(AttributeError, match=r"stayput\.read_scenario is gone; .* `stayput\.read`\."):
-        _ = sp.read_scenario  # pyright: ignore[reportAttributeAccessIssue]
-
-
 def test_motions_are_taken_as_they_are():
     suite = sp.synthetic_suite("crustal", 2).to_intensity(6.0)
     of_suite, of_list = verified(shaking=suite), verified(shaking=list(suite))

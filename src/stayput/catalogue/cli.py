@@ -64,8 +64,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "compiling": ("Compiling the mechanics once, which takes up to half a minute ...",
                   "計算プログラムを準備しています（初回のみ、30秒ほどかかります）…"),
     "warning": ("Warning: {sentence}", "注意：{sentence}"),
-    "gone": ("{name} is gone; in its place there is `{successor}`.",
-             "{name}はなくなりました。代わりに`{successor}`を使ってください。"),
     "no_such_flag": ("There is no flag {flag}; `{command} --help` lists those that there are.",
                      "{flag}というオプションはありません。{command} --helpで一覧を確認してください。"),
     "missing": ("{name} is missing; `{command} --help` says how the command is written.",

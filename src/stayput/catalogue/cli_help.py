@@ -22,13 +22,13 @@ TEXTS: dict[str, tuple[str, str]] = {
                 "Without measures in the file the usual ones are compared, those that can be applied "
                 "there. Of several pieces ([[furniture]]) joints and measures on each are compared. Of a "
                 "room with a [plan] it is said who is hit, which door stays shut, and which single change "
-                "helps most; with --plan also what to move and to buy. Flags stand in the place of what "
+                "helps most; with --card also what to move and to buy. Flags stand in the place of what "
                 "the file says."),
                ("シナリオの対策の効果を、地震動や不確かさを考慮して比較する\n\nファイルに対策がなければ、"
                 "そこで使える一般的な対策を比較する。家具が複数（[[furniture]]）の場合は、"
                 "連結とそれぞれの対策を比較する。[plan]のある部屋の場合は、誰に家具が当たるか、"
                 "どの扉が開かなくなるか、どの変更が最も効くかを示し、"
-                "--planを指定すると移動や購入の計画も作る。オプションの値はファイルの値に優先する。")),
+                "--cardを指定すると移動や購入の計画も作る。オプションの値はファイルの値に優先する。")),
     "assess": (("Assess every piece of an inventory: how likely it overturns, and which measure helps "
                 "most.\n\nInterrupted, the same command goes on from what is complete."),
                ("家具一覧のすべての家具の転倒確率と、最も効く対策を求める\n\n中断しても、"
@@ -102,11 +102,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "report": ("Write a report that needs nothing else: .html.", "それだけで読めるレポートを書き出す：.html"),
     "markdown": ("Write the verdict as .md; - prints it.", "判定を.mdに書き出す（-は標準出力）"),
     "csv": ("Write the ranking as .csv; - prints it.", "順位を.csvに書き出す（-は標準出力）"),
-    "plan": ("Write what to buy and do in a room: .html.", "部屋の対策計画を書き出す：.html"),
-    "no_drilling": ("With --plan: nothing may be screwed to a wall.", "--planの条件：壁にねじ留めできない"),
-    "tatami": ("With --plan: the floor is tatami.", "--planの条件：床が畳"),
-    "plasterboard": ("With --plan: the walls have no studs to screw to.", "--planの条件：壁に間柱がない"),
-    "dropped_ceiling": ("With --plan: the ceiling hangs on wires.", "--planの条件：天井が吊り天井"),
+    "card": ("Write what to buy and do in a room: .html.", "部屋の対策計画を書き出す：.html"),
+    "no_drilling": ("With --card: nothing may be screwed to a wall.", "--cardの条件：壁にねじ留めできない"),
+    "tatami": ("With --card: the floor is tatami.", "--cardの条件：床が畳"),
+    "plasterboard": ("With --card: the walls have no studs to screw to.", "--cardの条件：壁に間柱がない"),
+    "dropped_ceiling": ("With --card: the ceiling hangs on wires.", "--cardの条件：天井が吊り天井"),
     "curves": (("Write fragility curves, the probability of overturning over the strength of the shaking: "
                 "curves.csv and observed.csv, a figure, pelicun's file and OpenQuake's NRML."),
                ("フラジリティ曲線（揺れの強さに対する転倒確率）を書き出すフォルダー：curves.csv、"

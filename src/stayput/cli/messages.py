@@ -18,7 +18,6 @@ import typer
 from typer.core import TyperGroup
 
 from stayput.catalogue import Language, Phrase, phrase, say
-from stayput.cli import successors
 from stayput.cli.interrupts import INTERRUPTED
 from stayput.cli.streams import closed_output, is_stream, standard_input
 from stayput.errors import InputError, InputWarning, quoted, reason_of, warnings_to
@@ -151,9 +150,6 @@ def _misused(error: Any) -> InputError:
     command = getattr(error.ctx, "command_path", "stayput")
     if kind == "NoSuchOption":
         flag = str(error.option_name)
-        below = command.partition(" ")[2]
-        if successor := successors.FLAGS.get(flag) or successors.FLAGS.get(f"{below} {flag}"):
-            return InputError("cli.gone", flag, name=flag, successor=successor)
         return InputError("cli.no_such_flag", flag, flag=repr(flag), command=command)
     if kind == "MissingParameter":
         name = _as_on_the_line(error.param)
@@ -163,10 +159,6 @@ def _misused(error: Any) -> InputError:
         name, value = _as_on_the_line(error.param), quoted(str(wrong["input"]))
         allowed = _allowed(wrong["type"], error.param)
         return InputError("common.not_allowed", name, value=value, hint="", allowed=allowed)
-    gone = re.fullmatch(r"No such command '(\w+)'.*", str(error.message))
-    if gone is not None and gone[1] in successors.COMMANDS:
-        name = f"{command} {gone[1]}"
-        return InputError("cli.gone", name, name=name, successor=successors.COMMANDS[gone[1]])
     said = re.sub(r"\. Did you mean (.+)\?$", r" (did you mean \1?)", str(error.message))
     return InputError("cli.misused", said=said.rstrip("."), command=command)
 

@@ -124,7 +124,7 @@ def verify(
             autocompletion=flag.words("fragility.intensity_measures:INTENSITY_MEASURES"),
         ),
     ] = None,
-    plan: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.plan")] = None,
+    card: Annotated[Path | None, typer.Option(metavar="FILE", help="cli_help.card")] = None,
     no_drilling: Annotated[bool, typer.Option("--no-drilling", help="cli_help.no_drilling")] = False,
     tatami: Annotated[bool, typer.Option("--tatami", help="cli_help.tatami")] = False,
     plasterboard: Annotated[bool, typer.Option("--plasterboard", help="cli_help.plasterboard")] = False,
@@ -142,23 +142,23 @@ def verify(
     from stayput.verification import verify as compare
 
     check_output(report, (".html",), stream=False)
-    check_output(plan, (".html",), stream=False)
+    check_output(card, (".html",), stream=False)
     check_output(markdown, (".md",))
     check_output(csv, (".csv",))
     instead = to_output({"--markdown": markdown, "--csv": csv}, json)
-    if report is not None and plan is not None and report.resolve() == plan.resolve():
-        raise InputError("cli.same_file", "--plan", flag="--report", other="--plan", value=plan)
+    if report is not None and card is not None and report.resolve() == card.resolve():
+        raise InputError("cli.same_file", "--card", flag="--report", other="--card", value=card)
     limit = SLIDE_LIMIT if slide_limit is None else within("--slide-limit", slide_limit, 0.0, 100.0, "m")
     home = Home(no_drilling, tatami, plasterboard, dropped_ceiling)
-    if plan is None and home != Home():
+    if card is None and home != Home():
         flags = ", ".join(f"--{name}".replace("_", "-") for name, said in asdict(home).items() if said)
-        raise InputError("scenario.needs_both", "--plan", name=flags, other="--plan")
+        raise InputError("scenario.needs_both", "--card", name=flags, other="--card")
     over = _over(curves, im)
     of_one = {"--measure": measure}
-    checked = flag.opened(scenario, said, (report, markdown, csv, plan), of_one=of_one)
-    if plan is not None and checked.plan is None:
+    checked = flag.opened(scenario, said, (report, markdown, csv, card), of_one=of_one)
+    if card is not None and checked.plan is None:
         where = phrase("rooms.against_without_plan")
-        raise InputError("common.left_out", "--plan", where=where).at(called(scenario))
+        raise InputError("common.left_out", "--card", where=where).at(called(scenario))
     if measure:
         checked = _only(checked, measure)
     with checked.naming_file():
@@ -180,10 +180,10 @@ def verify(
         write_text(csv, verdict.to_csv(), CSV_ENCODING)
     if curves is not None and over is not None:
         written += _write_curves(verdict, over, curves, lang, aside=instead or json)
-    if plan is not None:
+    if card is not None:
         from stayput.rooms.planning import action_plan
 
-        written.append(action_plan(verdict, **asdict(home), threads=threads).report(plan, lang))
+        written.append(action_plan(verdict, **asdict(home), threads=threads).report(card, lang))
     if not json:
         tell_written(lang, *written, aside=instead)
 
