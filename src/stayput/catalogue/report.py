@@ -4,8 +4,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     # The page, from its top to its foot.
     "report": ("Verification of earthquake-proof measures", "家具の地震対策 検証報告書"),
     "skip": ("Skip to the ranking", "順位表へ移動"),
-    "contents": ("Contents", "目次"),
-    "verdict": ("The verdict", "結論"),
     "shaking": ("Shaking", "揺れの強さ"),
     "instrumental": ("JMA intensity {class} (instrumental {value})", "{class}（計測震度 {value}）"),
     "simulations": ("Simulations", "計算回数"),
@@ -18,7 +16,6 @@ TEXTS: dict[str, tuple[str, str]] = {
                     "for other earthquakes of the same intensity."),
                    ("地震動は1本だけです。割合と区間はこの地震動についてのもので、"
                     "同じ震度の他の地震には当てはまりません。")),
-    "after": ("With the best of those compared", "比較した中で最良の対策"),
     "ranking": ("The measures, best first", "対策の順位"),
     "brief_ranking_text": (("Share of the cases in which it overturns, with the 95 % interval; measures that "
                             "do not clearly differ share a rank. {runs}."),
@@ -36,7 +33,6 @@ TEXTS: dict[str, tuple[str, str]] = {
                       "明らかな差がなければ同じ順位です。「不確実」は、計算数が少なく、"
                       "比較した対策全体で95%の信頼度では言えないものです。")),
     "grade": ("Grade of its inputs", "入力の根拠"),
-    "brief_grade": ("Grade", "根拠"),
     "grade_text": ("Grade: that of the weakest of the inputs that decide a number ({meanings}).",
                    "根拠：数値を左右する入力のうち、最も不確かなものの区分（{meanings}）。"),
     "weakest": ("Weakest inputs: {inputs}", "最も不確かな入力：{inputs}"),
@@ -77,7 +73,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "change": ("Change from “{without}”", "「{without}」との差"),
     "why": ("Why", "理由"),
     "falls": ("overturned", "転倒"),
-    "none": ("none", "なし"),
     "no_device": ("no device", "器具なし"),
     "interval": ("95 % interval", "95%区間"),
     "fragility": ("How strong may the shaking be?", "どの強さの揺れまで耐えるか"),
@@ -162,7 +157,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "drawing_alt": (("Drawing to scale, seen from the side: {piece}, {width} cm deep and {height} cm "
                      "high; {label}"),
                     "縮尺図（横から）：{piece}、奥行{width} cm、高さ{height} cm。{label}"),
-    "scale_text": ("Drawn to scale, seen from the side", "縮尺どおり、横から見た図"),
     "device": ("Device", "器具"),
     "weakest_link": ("Weakest link", "最初に壊れるところ"),
     "failed": ("Failed", "破損・脱落"),
