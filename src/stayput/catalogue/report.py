@@ -64,10 +64,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     "brief_slide": ("Slide", "移動量"),
     "brief_falls": ("falls", "転倒"),
     "brief_capacity": ("I{share}", "I{share}"),
-    "brief_text": (("Shares of all runs, with the grade of the inputs. Slide: median of the peak. I10, "
-                    "I50: where 10, 50 % overturn ({intensity}). Below, in brackets: the 95 % "
-                    "interval of overturning."),
-                   ("全計算に対する割合（括弧内の英字は入力の根拠の区分）。移動量：最大値の中央値。I10、"
+    "brief_text": (("Shares of all runs. Slide: median of the peak. I10, I50: where 10, 50 % overturn "
+                    "({intensity}). Below, in brackets: the 95 % interval of overturning."),
+                   ("全計算に対する割合です。移動量：最大値の中央値。I10、"
                     "I50：10%、50%が転倒する値（{intensity}）。かっこ内：転倒の95%区間。")),
     "capacity_short": ("{share} % overturn at intensity", "{share}%転倒の計測震度"),
     "change": ("Change from “{without}”", "「{without}」との差"),

@@ -18,7 +18,7 @@ from stayput.montecarlo.counting import EVENTS, OVERTURNED
 from stayput.report.room.report import sections, sentences, simulations_of_room
 from stayput.report.verdict import numbers
 from stayput.report.verdict.numbers import NO_NUMBER, word
-from stayput.report.verdict.tables import SHARES, grades_text, impossible_rows, ranking, simulations
+from stayput.report.verdict.tables import SHARES, impossible_rows, ranking, simulations
 from stayput.verification.words import title
 from stayput.wording import with_aside
 
@@ -62,7 +62,6 @@ def _print_options(verdict: Verdict, lang: str) -> None:
         out = () if row.contents is None else (numbers.probability(row.contents, lang),)
         slide = text("brief_falls") if math.isinf(result.slide.median) else row.slide[0]
         label = title(result.option, verdict, lang)
-        falls = f"{falls} ({row.grade})"  # the grade of its inputs stands beside the number itself
         if alone:
             last = [numbers.capacity(result.capacities.get(share), lang) for share in SHARES]
             if ends := numbers.interval(result.probabilities[OVERTURNED], lang):
@@ -84,13 +83,14 @@ def _print_options(verdict: Verdict, lang: str) -> None:
     jma = FLOOR_JMA if verdict.floor else JMA_INTENSITY
     console, paragraph = terminal(lang, verdict.scenario.title)
     paragraph(verdict.sentence(lang))
+    trusted, *notes = verdict.notes(lang)
+    paragraph(trusted)
     console.print(_ranked(headings, rows, console, len(SHARES) if alone else 0))
     if alone:
         paragraph(text("brief_text", intensity=jma.names))
     else:
         paragraph(say("several.brief_text", lang))
-    paragraph(grades_text(lang))
-    for line in (*reasons, *verdict.notes(lang)):
+    for line in (*reasons, *notes):
         console.print(line, soft_wrap=True)
     if verdict.motions == 1:
         paragraph(text("one_motion"))
