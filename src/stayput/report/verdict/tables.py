@@ -223,8 +223,8 @@ def ranking(verdict: Verdict, language: str) -> list[RankingRow]:
             for event in EVENTS
         )
         slide, tilt = numbers.slides(result.slide, room, language), numbers.angles(result.tilt, language)
-        why = [reason(result, verdict, language, most) for most in (None, 2)]
-        rows.append(RankingRow(result, label, name, shares, slide, tilt, *why, **each))
+        why, brief = (reason(result, verdict, language, most) for most in (None, 2))
+        rows.append(RankingRow(result, label, name, shares, slide, tilt, why, brief, **each))
     return rows
 
 
