@@ -152,3 +152,34 @@ def test_a_link_opens_the_part_that_it_leads_to(browser: Browser, tmp_path: Path
     assert page.locator("details.fold[open]").count() <= 1  # curves were left out
     assert not said
     page.close()
+
+
+def test_the_page_scrolls_on_over_a_film_and_without_scripts_drawings_stand_in(
+    browser: Browser, tmp_path: Path
+) -> None:
+    scenario = sp.Scenario.parse(
+        {
+            "furniture": {"preset": "bookcase"},
+            "shaking": {"sine": {"amplitude": 4.0, "frequency": 1.0, "duration": 1.0}},
+            "uncertainty": {"samples": 1},
+        }
+    )
+    verify(scenario, levels=[], threads=1, progress=False).report(tmp_path / "report.html")
+    page, _ = opened(browser, tmp_path / "report.html")
+    page.set_viewport_size({"width": 1000, "height": 500})
+    scene = page.frame_locator("iframe").first.locator(".scene").first
+    expect(scene).to_be_visible(timeout=WAIT)
+    assert scene.evaluate("one => getComputedStyle(one).touchAction") == "pan-y"
+    box = scene.bounding_box()
+    assert box
+    page.mouse.move(box["x"] + 50, box["y"] + 50)
+    page.mouse.wheel(0, 120)
+    page.wait_for_function("scrollY > 50")
+    assert not page.locator(".twin").is_visible()
+    page.close()
+    context = browser.new_context(java_script_enabled=False)
+    page = context.new_page()
+    page.goto((tmp_path / "report.html").as_uri())
+    assert page.locator(".twin img").first.is_visible()
+    assert not page.locator("iframe.film").first.is_visible()
+    context.close()

@@ -330,7 +330,8 @@ def test_it_needs_nothing_else_and_can_be_read_without_seeing_it(page):
 
 def test_its_inputs_are_folded_into_it(page):
     verdict, _, text = page
-    (toml,) = re.findall(r"<details><summary>[^<]*</summary>\s*<pre[^>]*><code>(.*?)</code>", text, re.DOTALL)
+    inputs = r"<details data-printed><summary>[^<]*</summary>\s*<pre[^>]*><code>(.*?)</code>"
+    (toml,) = re.findall(inputs, text, re.DOTALL)
     assert html.unescape(toml) == verdict.scenario.to_toml()
 
 

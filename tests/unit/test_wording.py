@@ -198,7 +198,9 @@ def test_the_note_on_grades_is_about_the_option_that_is_asked_for():
     )
     assert "belts: strength of one" in best
     assert "belts" not in bare
-    assert all(note.startswith("Rough (grade C): assumed are size and mass") for note in (best, bare))
+    assert all(
+        note.startswith("Rough (grade C). Assumed, not measured: size and mass") for note in (best, bare)
+    )
 
 
 def test_counts():

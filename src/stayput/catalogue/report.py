@@ -20,6 +20,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "brief_ranking_text": (("Share of the cases in which it overturns, with the 95 % interval; measures that "
                             "do not clearly differ share a rank. {runs}."),
                            ("転倒する割合と95%区間です。明らかな差のない対策は同じ順位です。{runs}。")),
+    "more_ranked": ("{count} more below, also what is not possible.",
+                    "ほか{count}件は下の表にあります（設置できないものを含む）。"),
     "numbers": ("All measures in numbers", "すべての対策の数値"),
     "defaults": ("Defaults and limits of the model", "既定値とモデルの限界"),
     "trust": ("How far to trust it", "どこまで確かか"),
@@ -120,7 +122,8 @@ TEXTS: dict[str, tuple[str, str]] = {
                         "結果の大きさを確かめるために並べています。")),
     "formula": ("Formula", "式"),
     "says": ("What it says", "内容"),
-    "beside": ("Simulation beside it", "シミュレーションの結果"),
+    "beside": ("Simulation, with the walls and contents that there are",
+               "シミュレーション（実際の壁や収納物を含む）"),
     "west": ("West", "ウェストの式"),
     "west_text": ("rocks where the floor's peak acceleration exceeds {value} m/s²",
                   "床の最大加速度が{value} m/s²を超えるとロッキングを始める"),

@@ -123,7 +123,8 @@ def _width(table: Table, console: Console) -> int:
 def _print_room(verdict: Verdict, lang: str) -> None:
     """Print a verdict on a room: its sentences, who is hit by what, doors, and the first single changes."""
     console, paragraph = terminal(lang, verdict.scenario.title)
-    for sentence in sentences(verdict, lang):
+    trusted, *notes = verdict.notes(lang)
+    for sentence in (*sentences(verdict, lang), trusted):
         paragraph(sentence)
     listed = _listed(verdict)
     for section in sections(verdict, listed, lang):
@@ -147,7 +148,7 @@ def _print_room(verdict: Verdict, lang: str) -> None:
             paragraph(say("rooms.upper_bounds", lang))
     if more := len(verdict.others) - len(listed):
         paragraph(say("rooms.more_changes", lang, count=more))
-    for note in verdict.notes(lang):
+    for note in notes:
         paragraph(note)
     paragraph(simulations_of_room(verdict, lang))
 

@@ -243,7 +243,7 @@ def player_page(
     }
     script = script_module(file_of("film/player.js"))
     code = {"inks": Markup(inks_css()), "data": Markup(script_json(data)), "code": Markup(script)}
-    title = escape(first.title) if len(films) == 1 else ""
+    title = escape(first.title) if plays else ""  # a report tells it beside the player
     said = {"language": language, "title": title, "caption": escape(first.caption), "plays": plays}
     return rendered("film/player.html", {**texts, **said, **code})
 

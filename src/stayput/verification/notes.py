@@ -172,7 +172,7 @@ def notes(verdict: Verdict) -> tuple[Phrase, ...]:
 def shaken_notes(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
     """Yield the notes of a verdict but that on the piece without an earthquake.
 
-    How far its numbers may be trusted comes first; of a room with a plan each step says so of itself.
+    How far its numbers may be trusted comes first.
 
     Parameters
     ----------
@@ -181,8 +181,7 @@ def shaken_notes(verdict: Verdict, graded: Option) -> Iterator[Phrase]:
     graded : Option
         The option of which that is told.
     """
-    if verdict.scenario.plan is None:
-        yield _trust(graded, verdict)
+    yield _trust(graded, verdict)
     strength = verdict.scenario.shaking.strength
     if strength is not None and strength.scatter:
         yield phrase("verification.strength", strength=strength.told(verdict.motions))

@@ -120,6 +120,7 @@ export function lead(canvas, camera, changed) {
   canvas.addEventListener(
     "wheel",
     (event) => {
+      if (frameElement && !event.ctrlKey) return; // in a report the page scrolls on
       event.preventDefault();
       camera.nearer(Math.exp(-0.0012 * event.deltaY * (event.deltaMode === 1 ? 30 : 1)));
       changed();

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from stayput.model.floor_plan import Door, FloorPlan
     from stayput.simulation.space_fate import Stability
     from stayput.verification.changes import Change
-    from stayput.verification.verdict import Verdict
+    from stayput.verification.verdict import OptionVerdict, Verdict
 
 
 ENDS = ("stood", "fell")
@@ -263,7 +263,7 @@ def change_plan(verdict: Verdict, language: str) -> tuple[str, str] | None:
     if best is None:
         return None
     moves = [change for change in verdict.changes(best) if change.at is not None]
-    return numbered_plan(verdict, moves, language).svg, verdict.label(best, language)
+    return numbered_plan(verdict, moves, language, option=best).svg, verdict.label(best, language)
 
 
 def numbered_plan(
@@ -272,6 +272,7 @@ def numbered_plan(
     language: str,
     numbered: Mapping[str, str] | None = None,
     letters: float = paper.FONT,
+    option: OptionVerdict | None = None,
 ) -> DrawnPlan:
     """Return a plan of the room with some things moved, and numbers before names or in their place.
 
@@ -287,8 +288,14 @@ def numbered_plan(
         The number of a piece or a place.
     letters : float
         Size of the letters of names [px].
+    option : OptionVerdict, optional
+        What becomes of the pieces then, for their colours; they have none by default.
     """
-    pieces = [replace(piece, stability=None, fell=None, stood=None) for piece in _pieces(verdict)]
+    stands = [None if option is None else each.stability for each in (option or verdict.without).pieces]
+    pieces = [
+        replace(piece, stability=each, fell=None, stood=None)
+        for piece, each in zip(_pieces(verdict), stands, strict=True)
+    ]
     plan, names = _plan(verdict), verdict.scenario.names
     moved: list[tuple[NDArray[np.float64], NDArray[np.float64]]] = []
     for change in moves:

@@ -110,6 +110,7 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
         "grades": tables.grades_text(language),
         "rows": rows,
         "ranked": first_rows(rows),
+        "more": len(rows) + len(verdict.impossible) - len(first_rows(rows)),
         "drawn": [_drawn(verdict, result, language) for result in drawn],
         "curves": curves_image(verdict, language) if verdict.best.curves else "",
         "details": [_detail(result, verdict, language) for result in held],
