@@ -148,7 +148,8 @@ def test_a_piece_that_is_moved_is_turned_about_the_middle_of_its_base():
     option = with_changes(verdict.scenario.stated, [change], verdict.scenario.names)
     moved = replace(verdict, options=(replace(verdict.others[1], option=option), verdict.without))
     picture, _ = change_plan(moved, "en")
-    sheet, standing = PlanSheet(verdict.scenario.scene().plan), polygons(picture, "standing unknown")[0]
+    looks = f"standing {moved.others[0].pieces[0].stability}"  # with the change
+    sheet, standing = PlanSheet(verdict.scenario.scene().plan), polygons(picture, looks)[0]
     low, high = standing.min(axis=0), standing.max(axis=0)
     assert 0.5 * (low + high) == pytest.approx(sheet.place(2.0, 2.8), abs=0.1)
     assert high - low == pytest.approx(sheet.scale * np.array([0.8, 0.3]), abs=0.2)
