@@ -83,8 +83,8 @@ def _print_options(verdict: Verdict, lang: str) -> None:
     jma = FLOOR_JMA if verdict.floor else JMA_INTENSITY
     console, paragraph = terminal(lang, verdict.scenario.title)
     paragraph(verdict.sentence(lang))
-    trusted, *notes = verdict.notes(lang)
-    paragraph(trusted)
+    trust, *notes = verdict.notes(lang)
+    paragraph(trust)
     console.print(_ranked(headings, rows, console, len(SHARES) if alone else 0))
     if alone:
         paragraph(text("brief_text", intensity=jma.names))
@@ -123,8 +123,8 @@ def _width(table: Table, console: Console) -> int:
 def _print_room(verdict: Verdict, lang: str) -> None:
     """Print a verdict on a room: its sentences, who is hit by what, doors, and the first single changes."""
     console, paragraph = terminal(lang, verdict.scenario.title)
-    trusted, *notes = verdict.notes(lang)
-    for sentence in (*sentences(verdict, lang), trusted):
+    trust, *notes = verdict.notes(lang)
+    for sentence in (*sentences(verdict, lang), trust):
         paragraph(sentence)
     listed = _listed(verdict)
     for section in sections(verdict, listed, lang):

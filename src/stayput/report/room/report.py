@@ -14,7 +14,7 @@ from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED, SLID
 from stayput.report.page import rendered
 from stayput.report.room.plan import change_plan, legend, room_plan
 from stayput.report.verdict import numbers, tables
-from stayput.report.verdict.html import shared_content
+from stayput.report.verdict.html import MOST_RANKED, shared_content
 from stayput.simulation.space_fate import FALLS_FROM, MAY_FALL_FROM
 from stayput.verification import room_words
 from stayput.verification.events import PASSAGE
@@ -232,6 +232,7 @@ def room_html(verdict: Verdict, language: str = "en") -> str:
     moved = change_plan(verdict, language)
     kind = say("rooms.report", language)
     shown = sections(verdict, verdict.others, language)
+    changes = next(each for each in shown if each.key == "changes")
     everything = verdict.without.probabilities[OVERTURNED]
     content = {
         **shared_content(verdict, "room_report", kind, SHEETS, language),
@@ -247,7 +248,8 @@ def room_html(verdict: Verdict, language: str = "en") -> str:
         "may_fall_from": 100.0 * MAY_FALL_FROM,
         "ways_out": any(door.door.way_out for door in people.doors),
         "sections": shown,
-        "changes": next(each for each in shown if each.key == "changes"),
+        "changes": changes,
+        "ranked": changes.rows[: MOST_RANKED - 1],  # beside the room as it is
         "now": people.hit.chance if people.places else everything,
         "moved": None if moved is None else (Markup(moved[0]), moved[1]),
     }

@@ -92,6 +92,7 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
     command = ["stayput", "verify", "scenario.toml", "--slide-limit", f"{verdict.slide_limit:g}"]
     held = [result for result in verdict.options if result.option.count]
     rows = tables.ranking(verdict, language)
+    ranked = first_rows(rows)
     drawn = _compared(verdict) if alone else []
     sheets, texts = ["verdict/report.css"], "report" if alone else "several"
     return {
@@ -109,8 +110,8 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
         "notes": verdict.notes(language),
         "grades": tables.grades_text(language),
         "rows": rows,
-        "ranked": first_rows(rows),
-        "more": len(rows) + len(verdict.impossible) - len(first_rows(rows)),
+        "ranked": ranked,
+        "more": len(rows) + len(verdict.impossible) - len(ranked),
         "drawn": [_drawn(verdict, result, language) for result in drawn],
         "curves": curves_image(verdict, language) if verdict.best.curves else "",
         "details": [_detail(result, verdict, language) for result in held],

@@ -166,8 +166,8 @@ class RankingRow(NamedTuple):
         Why it stands where it does, and the same in two clauses.
     capacities : tuple of (str, str)
         Intensity at which each of `SHARES` overturns, and its interval; of one piece.
-    grade, weakest : str
-        Grade of its weakest inputs, and these inputs.
+    grade : str
+        Grade of its weakest inputs.
     contents : Probability, optional
         Share of the contents that comes out; none where nothing is said of contents.
     pieces : tuple of (str, Probability)
@@ -184,7 +184,6 @@ class RankingRow(NamedTuple):
     brief: str
     capacities: tuple[tuple[str, str], ...] = ()
     grade: str = ""
-    weakest: str = ""
     contents: Probability | None = None
     pieces: tuple[tuple[str, Probability], ...] = ()
 
@@ -204,10 +203,7 @@ def ranking(verdict: Verdict, language: str) -> list[RankingRow]:
     for result in verdict.options:
         option = result.option
         name = option.name if option.own_name else ""
-        each: dict[str, Any] = {
-            "grade": verdict.grade(result).value,
-            "weakest": weakest_inputs(result, verdict, language),
-        }
+        each: dict[str, Any] = {"grade": verdict.grade(result).value}
         if scenario.alone:
             label = say(option.label(), language)
             each["capacities"] = tuple(
